@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+function(narrows_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+    $<$<BOOL:${NARROWS_WERROR}>:-Werror>)
+endfunction()
+
+# A library of ours: narrows_add_library(name HEADERS ... SOURCES ... DEPENDS ... PRIVATE_DEPENDS ... PRECOMPILE ...)
+function(narrows_add_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE")
+  add_library(narrows_${name} STATIC ${arg_SOURCES})
+  add_library(narrows::${name} ALIAS narrows_${name})
+  set_target_properties(narrows_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_sources(narrows_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${arg_HEADERS})
+  target_link_libraries(narrows_${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
+  if(arg_PRECOMPILE)
+    target_precompile_headers(narrows_${name} PRIVATE ${arg_PRECOMPILE})
+  endif()
+  narrows_compile_options(narrows_${name})
+endfunction()
+
+# One test program per file: narrows_add_test(XTest DEPENDS narrows::kernel ... [SLOW])
+# SLOW tests are left out of the sanitizer preset's run.
+function(narrows_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SLOW" "" "DEPENDS;SOURCES")
+  add_executable(${name} ${name}.cpp ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE NARROWS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  narrows_compile_options(${name})
+  set(label fast)
+  if(arg_SLOW)
+    set(label slow)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label} TIMEOUT 600)
+endfunction()

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kernel/PlanarArm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace narrows
+{
+namespace
+{
+void checkLinks(const std::vector<PlanarLink> &links)
+{
+    if (links.empty())
+        throw std::invalid_argument("an arm needs at least one link");
+    for (std::size_t i = 0; i < links.size(); ++i)
+    {
+        if (!(links[i].length > 0.0) || !std::isfinite(links[i].length))
+            throw std::invalid_argument("link " + std::to_string(i) + ": length must be positive and finite");
+        if (links[i].parent < -1 || links[i].parent >= static_cast<int>(i))
+            throw std::invalid_argument("link " + std::to_string(i) + ": the parent must come before the link");
+    }
+}
+
+void checkSlide(const Slide &slide)
+{
+    if (!(std::abs(slide.axis.norm() - 1.0) < 1e-9))
+        throw std::invalid_argument("the slide's axis must be a unit vector");
+    if (!(slide.lower <= slide.upper))
+        throw std::invalid_argument("the slide's limits must be ordered");
+}
+}  // namespace
+
+PlanarArm::PlanarArm(const Eigen::Vector2d &base, std::vector<PlanarLink> links, double radius,
+                     std::optional<Slide> slide)
+  : base_(base), links_(std::move(links)), radius_(radius), slide_(std::move(slide))
+{
+    checkLinks(links_);
+    if (!(radius_ >= 0.0) || !std::isfinite(radius_))
+        throw std::invalid_argument("the link radius must not be negative");
+    if (slide_)
+        checkSlide(*slide_);
+}
+
+double PlanarArm::reach() const
+{
+    std::vector<double> length(links_.size());
+    for (std::size_t i = 0; i < links_.size(); ++i)
+        length[i] = links_[i].length + (links_[i].parent < 0 ? 0.0 : length[links_[i].parent]);
+    return *std::max_element(length.begin(), length.end());
+}
+
+void PlanarArm::place(ConfigurationRef q, std::vector<Eigen::Vector2d> &points) const
+{
+    points.resize(links_.size() + 1);
+    points[0] = base_;
+    if (slide_)
+        points[0] += q[0] * slide_->axis;
+    const double *angle = q.data() + firstAngle();
+    for (std::size_t i = 0; i < links_.size(); ++i)
+    {
+        const Eigen::Vector2d &from = points[links_[i].parent + 1];
+        points[i + 1].x() = from.x() + links_[i].length * std::cos(angle[i]);
+        points[i + 1].y() = from.y() + links_[i].length * std::sin(angle[i]);
+    }
+}
+
+void PlanarArm::motionBounds(ConfigurationRef delta, Eigen::VectorXd &bounds) const
+{
+    bounds.resize(linkCount());
+    const double carried = slide_ ? std::abs(delta[0]) : 0.0;
+    const int first = firstAngle();
+    for (int i = 0; i < linkCount(); ++i)
+    {
+        const int parent = links_[i].parent;
+        bounds[i] = (parent < 0 ? carried : bounds[parent]) + links_[i].length * std::abs(delta[first + i]);
+    }
+}
+
+Eigen::VectorXd PlanarArm::toAbsolute(ConfigurationRef q, AngleConvention from) const
+{
+    Eigen::VectorXd absolute = q;
+    if (from == AngleConvention::Relative)
+        for (int i = 0; i < linkCount(); ++i)
+            if (links_[i].parent >= 0)
+                absolute[firstAngle() + i] += absolute[firstAngle() + links_[i].parent];
+    return absolute;
+}
+
+Eigen::VectorXd PlanarArm::fromAbsolute(ConfigurationRef q, AngleConvention to) const
+{
+    Eigen::VectorXd converted = q;
+    if (to == AngleConvention::Relative)
+        for (int i = 0; i < linkCount(); ++i)
+            if (links_[i].parent >= 0)
+                converted[firstAngle() + i] -= q[firstAngle() + links_[i].parent];
+    return converted;
+}
+}  // namespace narrows

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace narrows
+{
+/// A read-only view of one configuration: [slide,] one angle per link. Accepts maps without copying.
+using ConfigurationRef = const Eigen::Ref<const Eigen::VectorXd> &;
+
+/// How joint angles are counted: against the x axis, or against the parent link.
+enum class AngleConvention
+{
+    Absolute,
+    Relative
+};
+
+/// A rigid link with one revolute joint at its base.
+struct PlanarLink
+{
+    double length;  ///< > 0, in the scenario's unit
+    int parent;     ///< link whose tip carries this link's base; -1 is the arm's base. Always less than its own index
+};
+
+/// A prismatic joint that carries the arm's base: base + value * axis.
+struct Slide
+{
+    Eigen::Vector2d axis;  ///< unit vector
+    double lower;          ///< in length units
+    double upper;          ///< >= lower
+};
+
+/// Kinematics of a planar tree of links: chains, branching grippers, with or without a sliding base.
+///
+/// A configuration is a vector of `dimension()` values: the slide first (if there is one), then one angle per link.
+/// Inside the library angles are ABSOLUTE unless a name says otherwise (HPPM-PRA, Eq. 18). Immutable and thread-safe.
+class PlanarArm
+{
+public:
+    /// \throws std::invalid_argument if a length is not positive and finite, a parent does not precede its child,
+    /// the radius is negative, or the slide's axis is not a unit vector.
+    PlanarArm(const Eigen::Vector2d &base, std::vector<PlanarLink> links, double radius = 0.0,
+              std::optional<Slide> slide = std::nullopt);
+
+    int linkCount() const { return static_cast<int>(links_.size()); }
+    int dimension() const { return linkCount() + firstAngle(); }
+    /// Index of link 0's angle in a configuration: 1 with a slide, else 0.
+    int firstAngle() const { return slide_ ? 1 : 0; }
+    const std::vector<PlanarLink> &links() const { return links_; }
+    const std::optional<Slide> &slide() const { return slide_; }
+    const Eigen::Vector2d &base() const { return base_; }
+    /// Half-width of every link; 0 for line segments.
+    double radius() const { return radius_; }
+    /// Length of the longest chain of links from the base to a tip.
+    double reach() const;
+
+    /// Forward kinematics. `points` becomes [base, tip of link 0, tip of link 1, ...]; link i is the segment from
+    /// points[links()[i].parent + 1] to points[i + 1].
+    void place(ConfigurationRef q, std::vector<Eigen::Vector2d> &points) const;
+
+    /// For the motion q + t * delta, t in [0, 1]: bounds[i] is at least the length of the way that any point of link i
+    /// travels, |slide| + sum of L_j |delta_j| over the chain from the base to link i.
+    void motionBounds(ConfigurationRef delta, Eigen::VectorXd &bounds) const;
+
+    Eigen::VectorXd toAbsolute(ConfigurationRef q, AngleConvention from) const;
+    Eigen::VectorXd fromAbsolute(ConfigurationRef q, AngleConvention to) const;
+
+private:
+    Eigen::Vector2d base_;
+    std::vector<PlanarLink> links_;
+    double radius_;
+    std::optional<Slide> slide_;
+};
+}  // namespace narrows

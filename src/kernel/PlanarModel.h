@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "kernel/PlanarArm.h"
+#include "kernel/PlanarObstacle.h"
+
+namespace narrows
+{
+/// Robot and obstacles: all that a white-box planner may see and a sampling planner may not.
+struct PlanarModel
+{
+    PlanarArm arm;
+    std::vector<PlanarObstacle> obstacles;
+};
+
+/// Permitted values of one joint; lower < upper.
+struct Interval
+{
+    double lower;
+    double upper;
+};
+
+/// Limits of the joint angles, meant in one convention; joints without an interval turn freely.
+struct JointLimits
+{
+    AngleConvention convention = AngleConvention::Absolute;
+    std::vector<std::optional<Interval>> angles;  ///< one per link
+};
+
+/// A goal that only fixes where the tip of one link shall be.
+struct TipGoal
+{
+    int link;  ///< index of the link whose tip is meant
+    Eigen::Vector2d point;
+    double tolerance;  ///< > 0, a distance
+};
+
+/// What is asked of the arm. Configurations are absolute angles (slide first).
+struct PlanarTask
+{
+    Eigen::VectorXd start;
+    std::variant<Eigen::VectorXd, TipGoal> goal;
+    JointLimits limits;
+};
+}  // namespace narrows

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace narrows
+{
+struct Circle
+{
+    Eigen::Vector2d center;
+    double radius;  ///< > 0
+};
+
+/// |(x - cx) / a|^p + |(y - cy) / b|^p <= 1 (HPPM-PRA, Eq. 22, in the reading of docs/hppm.md). Convex.
+struct Superellipse
+{
+    Eigen::Vector2d center;
+    Eigen::Vector2d halfExtents;  ///< (a, b), both > 0
+    double exponent;              ///< p >= 2; 2 is an ellipse, 4 is what the paper uses
+};
+
+/// A simple polygon, convex or not, counter-clockwise. Boxes are polygons with four vertices.
+struct Polygon
+{
+    std::vector<Eigen::Vector2d> vertices;  ///< at least 3
+};
+
+/// A closed set that no link may touch.
+struct PlanarObstacle
+{
+    std::string name;  ///< unique in its scene
+    std::variant<Circle, Superellipse, Polygon> shape;
+};
+
+/// Axis-parallel box around a shape.
+struct Bounds
+{
+    Eigen::Vector2d lower;
+    Eigen::Vector2d upper;
+};
+
+Bounds bounds(const PlanarObstacle &obstacle);
+}  // namespace narrows

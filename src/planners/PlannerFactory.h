@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <ompl/base/Planner.h>
+
+#include "kernel/PlanarModel.h"
+#include "spaces/Ompl.h"
+
+namespace narrows
+{
+/// What a planner may be made from. Sampling planners are given only `si`.
+struct PlannerContext
+{
+    ob::SpaceInformationPtr si;
+    std::shared_ptr<const PlanarModel> model;
+};
+
+struct PlannerEntry
+{
+    std::string name;     ///< OMPL's class name in lower case, or ours
+    std::string summary;  ///< one line: what it does, whose it is
+    bool usesModel = false;
+    bool threaded = false;  ///< plans with threads of its own, so that runs cannot be repeated exactly
+    std::function<ob::PlannerPtr(const PlannerContext &)> make;
+    /// Empty if the planner can work in this space, else why not. May be unset: then it can work in all.
+    std::function<std::string(const PlannerContext &)> unsupported;
+};
+
+/// All planners, OMPL's and ours, sorted by name.
+const std::vector<PlannerEntry> &planners();
+
+/// Adds a planner to the table (tests, plugins).
+/// \throws std::invalid_argument if the name is taken.
+void registerPlanner(PlannerEntry entry);
+
+/// \throws std::invalid_argument if there is no such planner; the message lists near names.
+const PlannerEntry &findPlanner(const std::string &name);
+
+/// Why a parameter could not be set.
+class ParameterError : public std::invalid_argument
+{
+public:
+    using std::invalid_argument::invalid_argument;
+};
+
+/// Makes a planner and sets its parameters (texts, as OMPL's ParamSet takes them).
+/// \throws std::invalid_argument for an unknown name; ParameterError naming the parameter if the planner has none of that
+/// name or refuses the value.
+ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &context,
+                           const std::map<std::string, std::string> &parameters = {});
+}  // namespace narrows

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include "scenario/Scenario.h"
+#include "spaces/PlanarArmStateSpace.h"
+#include "validity/CheckCounts.h"
+
+namespace narrows
+{
+/// How a scenario is put before a planner. The texts are those of experiment files.
+struct ProblemOptions
+{
+    std::string checker = "analytic";    ///< analytic | fcl
+    std::string motion = "continuous";   ///< continuous | OMPL's resolution as a number, e.g. "0.01"
+    std::string space = "absolute";      ///< absolute | relative (joints without limits wrap) | absolute_line | relative_line
+};
+
+/// Everything of one run, built anew for it.
+struct Problem
+{
+    std::shared_ptr<const PlanarModel> model;
+    std::shared_ptr<PlanarArmStateSpace> space;
+    ob::SpaceInformationPtr si;  ///< set up
+    ob::ProblemDefinitionPtr pdef;
+    std::shared_ptr<CheckCounts> counts;
+};
+
+/// \throws std::invalid_argument if an option has no such value or does not fit the scenario (joint limits are kept only
+/// by a space in their own convention).
+Problem makeProblem(const Scenario &scenario, const ProblemOptions &options = {});
+}  // namespace narrows
