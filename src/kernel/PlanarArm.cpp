@@ -60,9 +60,11 @@ void PlanarArm::place(ConfigurationRef q, std::vector<Eigen::Vector2d> &points) 
     const double *angle = q.data() + firstAngle();
     for (std::size_t i = 0; i < links_.size(); ++i)
     {
+        // Both before anything is stored, so that the compiler makes one sincos of them.
+        const double cosine = std::cos(angle[i]);
+        const double sine = std::sin(angle[i]);
         const Eigen::Vector2d &from = points[links_[i].parent + 1];
-        points[i + 1].x() = from.x() + links_[i].length * std::cos(angle[i]);
-        points[i + 1].y() = from.y() + links_[i].length * std::sin(angle[i]);
+        points[i + 1] = {from.x() + links_[i].length * cosine, from.y() + links_[i].length * sine};
     }
 }
 

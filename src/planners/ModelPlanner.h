@@ -22,10 +22,10 @@ public:
     {
     }
 
-    /// Why the last solve() ended without an exact solution, in one word (wrong_root, turned_back, ...); empty if it did not.
+    /// Why no exact solution has been found, in one word (wrong_root, turned_back, ...); empty if one has, or after clear().
     const std::string &reason() const { return reason_; }
 
-    /// Machine-free measures of the last solve(), by name (evaluations, hyperspheres, rejected_steps, ...).
+    /// Machine-free measures of the work since clear(), by name (evaluations, hyperspheres, rejected_steps, ...).
     const std::map<std::string, double> &measures() const { return measures_; }
 
 protected:

@@ -54,7 +54,10 @@ public:
 
     void sampleUniformNear(ob::State *state, const ob::State *near, double distance) override
     {
-        sample(state, near, [&](double value) { return rng_.uniformReal(value - distance, value + distance); });
+        // A box within the ball of that radius, as OMPL's compound spaces do it: EST, BiEST and STRIDE count and connect
+        // neighbours by distance, and with the box around the ball hardly any sample of many joints would be one.
+        const double reach = distance / std::sqrt(static_cast<double>(arm_->getDimension()));
+        sample(state, near, [&](double value) { return rng_.uniformReal(value - reach, value + reach); });
     }
 
     void sampleGaussian(ob::State *state, const ob::State *mean, double deviation) override

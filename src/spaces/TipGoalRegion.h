@@ -23,9 +23,6 @@ public:
     unsigned int maxSampleCount() const override;
 
 private:
-    /// Moves a state's tip to the point; false if it does not get there.
-    bool pull(ob::State *state) const;
-
     const PlanarArmStateSpace *space_;
     TipGoal goal_;
     ob::StateSamplerPtr sampler_;

@@ -8,11 +8,15 @@ namespace
 /// Forward kinematics of a state, into memory that is kept between calls.
 const std::vector<Eigen::Vector2d> &place(const PlanarArmStateSpace &space, const ob::State *state)
 {
-    thread_local Eigen::VectorXd q;
-    thread_local std::vector<Eigen::Vector2d> points;
-    space.toAbsolute(state, q);
-    space.arm().place(q, points);
-    return points;
+    struct Workspace
+    {
+        Eigen::VectorXd q;
+        std::vector<Eigen::Vector2d> points;
+    };
+    thread_local Workspace workspace;
+    space.toAbsolute(state, workspace.q);
+    space.arm().place(workspace.q, workspace.points);
+    return workspace.points;
 }
 }  // namespace
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one question to a checker costs: the paper's three cases, states spread over the whole joint space or crowded near
+// the goal, where the narrow passages are. Arguments: case, 0 = uniform / 1 = near the goal.
+#include <benchmark/benchmark.h>
+
+#include "PaperCases.h"
+#include "scenario/Problem.h"
+
+namespace narrows
+{
+namespace
+{
+constexpr int stateCount = 1024;
+
+struct Question
+{
+    Question(const benchmark::State &run, const std::string &checker)
+      : scenario(paperCase(static_cast<int>(run.range(0)))), problem(makeProblem(scenario, {checker, "continuous", "absolute"}))
+    {
+        ompl::base::ScopedState<> goal(problem.si);
+        problem.space->fromAbsolute(std::get<Eigen::VectorXd>(scenario.task.goal), goal.get());
+        const ob::StateSamplerPtr sampler = problem.si->allocStateSampler();
+        while (states.size() < stateCount)
+        {
+            ob::State *state = problem.si->allocState();
+            if (run.range(1) == 0)
+                sampler->sampleUniform(state);
+            else
+                sampler->sampleGaussian(state, goal.get(), 0.05);
+            states.push_back(state);
+        }
+    }
+
+    ~Question()
+    {
+        for (ob::State *state : states)
+            problem.si->freeState(state);
+    }
+
+    Scenario scenario;
+    Problem problem;
+    std::vector<ob::State *> states;
+};
+
+void stateCheck(benchmark::State &run, const std::string &checker)
+{
+    const Question question(run, checker);
+    std::size_t i = 0;
+    int valid = 0;
+    for (auto _ : run)
+        valid += question.problem.si->isValid(question.states[i++ % stateCount]);
+    run.counters["valid"] = benchmark::Counter(valid, benchmark::Counter::kAvgIterations);
+}
+
+/// Short motions between neighbouring samples, as a tree asks for them.
+void motionCheck(benchmark::State &run, const std::string &checker)
+{
+    const Question question(run, checker);
+    ob::State *to = question.problem.si->allocState();
+    std::size_t i = 0;
+    const auto before = question.problem.counts->placements.load();
+    for (auto _ : run)
+    {
+        const ob::State *from = question.states[i % stateCount];
+        question.problem.space->interpolate(from, question.states[(i + 1) % stateCount], 0.1, to);
+        ++i;
+        benchmark::DoNotOptimize(question.problem.si->checkMotion(from, to));
+    }
+    run.counters["placements"] = benchmark::Counter(
+        static_cast<double>(question.problem.counts->placements.load() - before), benchmark::Counter::kAvgIterations);
+    question.problem.si->freeState(to);
+}
+
+BENCHMARK_CAPTURE(stateCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(stateCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(motionCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(motionCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
+}  // namespace
+}  // namespace narrows
