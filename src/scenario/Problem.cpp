@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <ompl/base/DiscreteMotionValidator.h>
+#include <ompl/base/goals/GoalState.h>
 
 #include "spaces/TipGoalRegion.h"
 #include "validity/ArmValidityChecker.h"

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scenario/TaskCheck.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "kernel/SegmentDistance.h"
+#include "kernel/SuperellipseGeometry.h"
+#include "validity/PlanarChecker.h"
+
+namespace narrows
+{
+namespace
+{
+std::vector<std::string> touchedBy(const PlanarModel &model, const Eigen::Vector2d &a, const Eigen::Vector2d &b)
+{
+    std::vector<std::string> names;
+    for (const PlanarObstacle &obstacle : model.obstacles)
+        if (!makeAnalyticChecker({model.arm, {obstacle}})->linkClears(a, b, 0.0))
+            names.push_back(obstacle.name);
+    return names;
+}
+
+void checkStateIsFree(const Field &field, const PlanarModel &model, const Eigen::VectorXd &q)
+{
+    constexpr std::size_t mostNamed = 10;  // one bad state among many obstacles should not fill the screen
+    const std::unique_ptr<PlanarChecker> checker = makeAnalyticChecker(model);
+    std::vector<Eigen::Vector2d> points;
+    model.arm.place(q, points);
+    std::vector<std::string> touches;
+    for (std::size_t i = 0; i < model.arm.links().size() && touches.size() < mostNamed; ++i)
+    {
+        const Eigen::Vector2d &a = points[static_cast<std::size_t>(model.arm.links()[i].parent + 1)];
+        const Eigen::Vector2d &b = points[i + 1];
+        if (!checker->linkClears(a, b, 0.0))
+            touches.push_back(fmt::format("link {} touches {}", i + 1, fmt::join(touchedBy(model, a, b), ", ")));
+    }
+    if (!touches.empty())
+        field.fault(fmt::format("in collision: {}", fmt::join(touches, "; ")));
+}
+/// Does a shape cover a whole disc?
+struct Covers
+{
+    const Eigen::Vector2d &center;
+    double radius;
+
+    bool operator()(const Circle &circle) const { return (center - circle.center).norm() + radius <= circle.radius; }
+
+    /// A convex shape that holds the corners of a polygon around the disc holds the disc.
+    bool operator()(const Superellipse &shape) const
+    {
+        constexpr int corners = 16;
+        const SuperellipseGeometry geometry(shape);
+        const double distance = radius / std::cos(M_PI / corners);
+        for (int i = 0; i < corners; ++i)
+        {
+            const double angle = 2.0 * M_PI * i / corners;
+            if (geometry.value(center + distance * Eigen::Vector2d(std::cos(angle), std::sin(angle))) > 0.0)
+                return false;
+        }
+        return true;
+    }
+
+    bool operator()(const Polygon &polygon) const
+    {
+        const std::vector<Eigen::Vector2d> &v = polygon.vertices;
+        for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++)
+            if (squaredDistance(v[j], v[i], center) < radius * radius)
+                return false;
+        return contains(polygon, center);
+    }
+};
+
+void checkTipGoal(const Field &field, const PlanarModel &model, const TipGoal &goal)
+{
+    for (const PlanarObstacle &obstacle : model.obstacles)
+        if (std::visit(Covers{goal.point, goal.tolerance}, obstacle.shape))
+            field.fault(fmt::format("in collision: every point within the tolerance lies inside {}", obstacle.name));
+}
+}  // namespace
+
+void checkTaskIsFree(const Field &start, const Field &goal, const PlanarModel &model, const PlanarTask &task)
+{
+    checkStateIsFree(start, model, task.start);
+    if (const auto *tip = std::get_if<TipGoal>(&task.goal))
+        checkTipGoal(goal, model, *tip);
+    else
+        checkStateIsFree(goal, model, std::get<Eigen::VectorXd>(task.goal));
+}
+}  // namespace narrows
