@@ -34,3 +34,10 @@ function(narrows_add_test name)
   endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label} TIMEOUT 600)
 endfunction()
+
+# CGAL for the named sources of a target only: narrows_use_cgal(target file.cpp ...). CGAL::CGAL would compile the whole
+# target with -frounding-math, which costs every numerical loop in it.
+function(narrows_use_cgal target)
+  target_link_libraries(${target} PRIVATE gmpxx mpfr gmp)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-frounding-math;-DCGAL_USE_GMPXX=1")
+endfunction()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Run at every build (cmake -D SOURCE=... -D OUTPUT=... -P): writes a header with the commit that is being built. The file
 # is touched only when that changes, so that an unchanged tree builds nothing.
+cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND git -C ${SOURCE} rev-parse HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
   ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)
@@ -15,7 +16,7 @@ file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "// SPDX-License-Identifier: BSD-3-Claus
 #pragma once
 namespace narrows::build
 {
-inline constexpr const char *commit = \"@commit@\";
-inline constexpr bool dirty = @dirty@;
+inline constexpr const char *commit = \"${commit}\";
+inline constexpr bool dirty = ${dirty};
 }
-" @ONLY)
+")
