@@ -91,6 +91,7 @@ struct Record
 };
 
 /// One JSON object with the keys of `narrows plan --json` (README), used for the terminal, the pipe and the store.
+/// Not measured is null; JSON lacks infinity and NaN, which are written as the texts "inf", "-inf" and "nan".
 std::string toJson(const RunSpec &spec, const Record &record);
 /// The inverse of toJson, as far as the record goes.
 /// \throws std::invalid_argument for text that toJson did not write.

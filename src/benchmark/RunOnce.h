@@ -20,5 +20,7 @@ enum class RunStage
 /// around solve() only, with an in-line timed termination condition. Exceptions of the planner become outcomes; a crash
 /// takes the process with it (see `runAll`).
 /// \param onStage called when a stage begins
+/// \throws std::invalid_argument for a mistake of the caller: no such planner, checker, space or parameter, or a value
+/// that is refused while the planner is set up.
 Record runOnce(const RunSpec &spec, const std::function<void(RunStage)> &onStage = {});
 }  // namespace narrows

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/Campaign.h"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "benchmark/IsolatedRunner.h"
+#include "benchmark/OmplEngine.h"
+#include "benchmark/Progress.h"
+#include "benchmark/ResultStore.h"
+
+namespace narrows
+{
+namespace
+{
+double secondsSince(std::chrono::steady_clock::time_point begin)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+}  // namespace
+
+CampaignResult runCampaign(const Experiment &experiment, const CampaignOptions &options)
+{
+    const std::vector<RunSpec> all = expand(experiment);
+    ResultStore store = options.resume ? ResultStore::resume(options.database, experiment, options.engine)
+                                       : ResultStore::create(options.database, experiment, options.engine);
+    const std::vector<RunSpec> specs = store.missing(all);
+    const int jobs = options.jobs > 0 ? options.jobs : experiment.jobs;
+
+    CampaignResult result;
+    result.planned = all.size();
+    result.existing = all.size() - specs.size();
+    if (specs.empty())
+        return result;
+
+    std::optional<Progress> progress;
+    if (options.progress != nullptr)
+        progress.emplace(specs.size(), *options.progress, options.terminal);
+    const auto stop = [&] { return options.stop && options.stop(); };
+    const auto onRecord = [&](std::size_t index, const Record &record)
+    {
+        // The signal that asks for the end reaches the runs too; what it makes of them is not their result.
+        if (stop())
+            return;
+        store.add(specs[index], record, experiment.savePaths);
+        ++result.done;
+        if (progress)
+            progress->step(record.outcome == Outcome::Solved);
+    };
+
+    const auto begin = std::chrono::steady_clock::now();
+    store.beginSession(captureEnvironment(jobs));
+    if (options.engine == "ompl")
+        runOmplBenchmark(specs, std::filesystem::path(options.database).replace_extension().string() + "_", onRecord);
+    else
+        runAll(specs, jobs, onRecord, stop);
+    store.endSession(secondsSince(begin));
+    if (progress)
+        progress->finish();
+    return result;
+}
+}  // namespace narrows

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// narrows plan: one run.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "benchmark/Commands.h"
+#include "benchmark/Drawing.h"
+#include "benchmark/IsolatedRunner.h"
+#include "planners/PlannerFactory.h"
+
+namespace narrows
+{
+namespace
+{
+struct PlanOptions
+{
+    std::string scenario;
+    RunSpec spec;
+    std::vector<std::string> parameters;  ///< name=value, a later one wins
+    bool noRecipe = false;
+    std::string json;
+    std::string svg;
+};
+
+std::map<std::string, std::string> parseParameters(const std::vector<std::string> &texts)
+{
+    std::map<std::string, std::string> parameters;
+    for (const std::string &text : texts)
+    {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw std::invalid_argument("--param " + text + ": expected name=value");
+        parameters[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return parameters;
+}
+
+RunSpec makeSpec(const PlanOptions &options)
+{
+    RunSpec spec = options.spec;
+    spec.scenario = std::make_shared<const Scenario>(readScenario(options.scenario));
+    spec.instance = spec.scenario->name + "_" + spec.problem.checker;
+    spec.label = spec.planner;
+    spec.recipe = !options.noRecipe;
+    spec.parameters = parseParameters(options.parameters);
+    // Wrong names and values are the caller's mistakes: found here, before they become the outcome of a run.
+    const Problem problem = makeProblem(*spec.scenario, spec.problem);
+    makePlanner(spec.planner, {problem.si, problem.model}, spec.parameters);
+    return spec;
+}
+
+template <typename Value>
+void printLine(const std::string &name, const std::optional<Value> &value, const std::string &unit = "", double scale = 1)
+{
+    if (value)
+        std::cout << fmt::format("  {:<16}{:.6g}{}\n", name, static_cast<double>(*value) * scale,
+                                 unit.empty() ? "" : " " + unit);
+}
+
+void printHuman(const RunSpec &spec, const Record &record)
+{
+    std::cout << fmt::format("{} on {}: {}{}\n", spec.planner, spec.scenario->name, toString(record.outcome),
+                             record.reason.empty() ? "" : " (" + record.reason + ")");
+    printLine("CPU time", record.cpuTime, "ms", 1e3);
+    printLine("wall time", record.time, "ms", 1e3);
+    printLine("length", record.length, "rad");
+    printLine("clearance", record.clearance);
+    printLine("waypoints", record.waypoints);
+    printLine("state checks", record.stateChecks);
+    printLine("motion checks", record.motionChecks);
+    printLine("evaluations", record.evaluations);
+    printLine("largest step", record.maxJointStep, "rad");
+    printLine("simplified", record.simplifiedLength, "rad");
+    for (const auto &[name, value] : record.measures)
+        printLine<double>(name, value);
+    if (record.prescribed)
+        std::cout << "  used the recipe that the scenario prescribes (--no-recipe goes without)\n";
+    if (!record.output.empty())
+        std::cerr << record.output << (record.output.back() == '\n' ? "" : "\n");
+}
+
+void writeFile(const std::string &file, const std::string &text)
+{
+    std::ofstream stream(file);
+    stream << text << std::flush;
+    if (!stream)
+        throw std::invalid_argument(file + ": cannot be written");
+}
+
+int plan(const PlanOptions &options)
+{
+    const RunSpec spec = makeSpec(options);
+    Record record;
+    runAll({spec}, 1, [&](std::size_t, const Record &result) { record = result; });
+    const std::string json = toJson(spec, record);
+    if (options.json == "-")
+        std::cout << json << std::endl;
+    else
+        printHuman(spec, record);
+    if (!options.json.empty() && options.json != "-")
+        writeFile(options.json, json + "\n");
+    if (!options.svg.empty())
+        drawRecord(options.scenario, json, options.svg);
+    return record.outcome == Outcome::Solved ? ExitDone : ExitNot;
+}
+
+void addProblemOptions(CLI::App &command, PlanOptions &options)
+{
+    RunSpec &spec = options.spec;
+    command.add_option("--checker", spec.problem.checker, "who says a state is free: analytic or fcl")
+        ->capture_default_str();
+    command.add_option("--motion", spec.problem.motion, "how motions are checked: continuous, or a resolution")
+        ->capture_default_str();
+    command.add_option("--space", spec.problem.space, "absolute, relative, absolute_line or relative_line")
+        ->capture_default_str();
+    command.add_flag("--no-recipe", options.noRecipe, "do not use what the scenario prescribes for the planner");
+}
+
+void addRunOptions(CLI::App &command, PlanOptions &options)
+{
+    RunSpec &spec = options.spec;
+    command.add_option("--seed", spec.seed, "of the random numbers")
+        ->check(CLI::Range(1U, std::numeric_limits<std::uint32_t>::max()))
+        ->capture_default_str();
+    command.add_option("--time", spec.timeLimit, "limit for solve(), seconds")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_option("--param", options.parameters, "name=value, may be repeated; see `narrows show planner`")
+        ->allow_extra_args(false);
+    command.add_flag("--simplify", spec.simplify, "also time OMPL's path simplification");
+}
+}  // namespace
+
+void addPlanCommand(CLI::App &program, int &exitCode)
+{
+    const auto options = std::make_shared<PlanOptions>();
+    options->spec.warmUp = 0.02;  // as in experiments, so that times can be compared
+    CLI::App *command = program.add_subcommand("plan", "Let one planner solve a scenario once");
+    command->add_option("scenario", options->scenario, "scenario file")->required();
+    command->add_option("--planner", options->spec.planner, "see `narrows list planners`")->required();
+    addRunOptions(*command, *options);
+    addProblemOptions(*command, *options);
+    command->add_option("--json", options->json, "write the record as JSON; - is stdout, and nothing else goes there");
+    command->add_option("--svg", options->svg, "draw the motion");
+    command->callback([options, &exitCode] { exitCode = plan(*options); });
+}
+}  // namespace narrows

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "benchmark/Record.h"
+
+namespace narrows
+{
+enum class SavePaths
+{
+    None,
+    Shortest,  ///< of every instance and planner entry
+    All
+};
+
+/// One entry of the [planner] section: a planner with its settings. The same planner may have several.
+struct PlannerChoice
+{
+    std::string planner;  ///< name in the factory
+    std::string label;    ///< how tables call it; two entries share one only if no scenario has both
+    std::string space;    ///< as in ProblemOptions
+    bool recipe = true;   ///< may it use the scenario's `methods`?
+    std::vector<std::string> only;  ///< names of the scenarios it is for; empty: all
+    std::map<std::string, std::string> parameters;
+
+    bool isFor(const Scenario &scenario) const;
+};
+
+/// Typed copy of an experiment file (docs/experiments.md).
+struct Experiment
+{
+    std::string file;  ///< path as it was given
+    std::string text;  ///< the file as it was read
+    std::string name;  ///< one word
+    std::vector<std::shared_ptr<const Scenario>> scenarios;
+    std::vector<std::string> checkers{"analytic"};
+    std::vector<std::string> motions{"continuous"};
+    double timeLimit = 10.0;      ///< seconds per run
+    double memoryLimit = 1024.0;  ///< MB per run
+    int runCount = 20;            ///< per planner entry and instance
+    std::uint32_t seed = 1;       ///< of the campaign; every run derives its own
+    std::string output;           ///< folder for the database
+    SavePaths savePaths = SavePaths::Shortest;
+    bool simplify = false;
+    double warmUp = 0.02;  ///< seconds, untimed, before every run
+    int jobs = 1;          ///< runs at a time
+    std::vector<PlannerChoice> planners;
+
+    /// Where results go unless told otherwise: <output>/<file's stem>.db
+    std::string databasePath() const;
+    /// SHA-256 over all that decides which runs there are: this file and its scenarios.
+    std::string digest() const;
+};
+
+/// \throws InputError with all faults of the file and of the scenarios it names, unknown planners and parameters included.
+Experiment readExperiment(const std::string &path);
+
+/// All runs in the order they shall be done: run 0 of all instances, then run 1, ... The planners of one instance and run
+/// follow each other in an order drawn from the seed, so that a drift of the machine's speed hits all of them alike.
+/// Every run's seed is a hash of all that identifies it: a run can be repeated alone, and adding a planner changes no other.
+std::vector<RunSpec> expand(const Experiment &experiment);
+}  // namespace narrows

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rows of a ResultStore: one run in, many runs out.
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
+#include <nlohmann/json.hpp>
+
+#include "benchmark/Metrics.h"
+#include "benchmark/ResultStore.h"
+
+namespace narrows
+{
+namespace
+{
+void bindCell(SQLite::Statement &statement, int index, const Cell &cell)
+{
+    if (const auto *integer = std::get_if<std::int64_t>(&cell))
+        statement.bind(index, *integer);
+    else if (const auto *real = std::get_if<double>(&cell))
+        statement.bind(index, *real);
+    else if (const auto *text = std::get_if<std::string>(&cell))
+        statement.bind(index, *text);
+    else
+        statement.bind(index);
+}
+
+std::optional<double> optionalNumber(const SQLite::Column &column)
+{
+    return column.isNull() ? std::nullopt : std::optional<double>(column.getDouble());
+}
+
+std::string pathText(const std::vector<Eigen::VectorXd> &path)
+{
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Eigen::VectorXd &row : path)
+        rows.push_back(std::vector<double>(row.begin(), row.end()));
+    return rows.dump();
+}
+
+std::vector<Eigen::VectorXd> pathFromText(const std::string &text)
+{
+    std::vector<Eigen::VectorXd> path;
+    for (const nlohmann::json &row : nlohmann::json::parse(text))
+    {
+        Eigen::VectorXd waypoint(static_cast<Eigen::Index>(row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i)  // JSON says null for what is not finite
+            waypoint[static_cast<Eigen::Index>(i)] = row[i].is_null() ? std::nan("") : row[i].get<double>();
+        path.push_back(waypoint);
+    }
+    return path;
+}
+}  // namespace
+
+void ResultStore::add(const RunSpec &spec, const Record &record, SavePaths savePaths)
+{
+    SQLite::Transaction transaction(*database_);
+    const std::int64_t id = insertRun(spec, record);
+    if (savePaths != SavePaths::None && !record.path.empty())
+        savePath(id, record, savePaths);
+    transaction.commit();
+}
+
+std::int64_t ResultStore::plannerId(const RunSpec &spec)
+{
+    const std::string settings = settingsText(spec);
+    SQLite::Statement insert(*database_, "INSERT OR IGNORE INTO plannerConfigs VALUES (NULL, ?, ?)");
+    SQLite::bind(insert, spec.label, settings);
+    insert.exec();
+    SQLite::Statement query(*database_, "SELECT id FROM plannerConfigs WHERE name = ? AND settings = ?");
+    SQLite::bind(query, spec.label, settings);
+    query.executeStep();
+    return query.getColumn(0).getInt64();
+}
+
+std::int64_t ResultStore::insertRun(const RunSpec &spec, const Record &record)
+{
+    const std::int64_t planner = plannerId(spec);
+    const int count = static_cast<int>(metrics().size());
+    std::string marks = "NULL, (SELECT id FROM experiments WHERE name = ?), ?";
+    for (int i = 0; i <= count; ++i)
+        marks += ", ?";
+    SQLite::Statement insert(*database_, "INSERT INTO runs VALUES (" + marks + ")");
+    insert.bind(1, spec.instance);
+    insert.bind(2, planner);
+    for (int i = 0; i < count; ++i)
+        bindCell(insert, i + 3, metrics()[static_cast<std::size_t>(i)].value(spec, record));
+    insert.bind(count + 3, environment_);
+    insert.exec();
+    return database_->getLastInsertRowid();
+}
+
+void ResultStore::savePath(std::int64_t runId, const Record &record, SavePaths savePaths)
+{
+    SQLite::Statement insert(*database_, "INSERT INTO paths VALUES (?, ?)");
+    SQLite::bind(insert, runId, pathText(record.path));
+    insert.exec();
+    if (savePaths == SavePaths::All)
+        return;
+    // The shortest of those that count; equal ones by their run, so that the order in which runs end does not matter.
+    SQLite::Statement prune(*database_, R"(
+        WITH rivals AS (SELECT other.id, other.solved, other.solution_length, other.run FROM runs AS other JOIN runs AS mine
+          ON other.experimentid = mine.experimentid AND other.plannerid = mine.plannerid
+          WHERE mine.id = ? AND other.id IN (SELECT runid FROM paths))
+        DELETE FROM paths WHERE runid IN (SELECT id FROM rivals) AND runid NOT IN
+          (SELECT id FROM rivals WHERE solved ORDER BY solution_length, run LIMIT 1))");
+    prune.bind(1, runId);
+    prune.exec();
+}
+
+std::vector<RunSpec> ResultStore::missing(const std::vector<RunSpec> &specs) const
+{
+    std::set<std::tuple<std::string, std::string, std::string, int>> done;
+    for (const RunRow &row : runs())
+        done.emplace(row.instance, row.label, row.settings, row.run);
+    std::vector<RunSpec> result;
+    for (const RunSpec &spec : specs)
+        if (done.count({spec.instance, spec.label, settingsText(spec), spec.run}) == 0)
+            result.push_back(spec);
+    return result;
+}
+
+std::vector<RunRow> ResultStore::runs() const
+{
+    SQLite::Statement query(*database_, R"(
+        SELECT experiments.name, plannerConfigs.name, settings, run, outcome, reason, prescribed, cpu_time, evaluations,
+          state_checks, solution_length, solution_clearance
+        FROM runs JOIN experiments ON experiments.id = experimentid JOIN plannerConfigs ON plannerConfigs.id = plannerid
+        ORDER BY experiments.id, plannerConfigs.name, settings, run)");
+    std::vector<RunRow> rows;
+    while (query.executeStep())
+    {
+        RunRow row;
+        row.instance = query.getColumn(0).getString();
+        row.label = query.getColumn(1).getString();
+        row.settings = query.getColumn(2).getString();
+        row.run = query.getColumn(3).getInt();
+        row.outcome = outcomeFromString(query.getColumn(4).getString());
+        row.reason = query.getColumn(5).getString();
+        row.prescribed = query.getColumn(6).getInt() != 0;
+        row.cpuTime = optionalNumber(query.getColumn(7));
+        row.evaluations = optionalNumber(query.getColumn(8));
+        row.stateChecks = optionalNumber(query.getColumn(9));
+        row.length = optionalNumber(query.getColumn(10));
+        row.clearance = optionalNumber(query.getColumn(11));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+void ResultStore::eachPath(const std::function<void(const PathRow &)> &visit) const
+{
+    SQLite::Statement query(*database_, R"(
+        SELECT experiments.name, plannerConfigs.name, run, solved, instances.scenario, experiments.scenario, angles
+        FROM paths JOIN runs ON runs.id = runid JOIN experiments ON experiments.id = runs.experimentid
+          JOIN instances ON instances.experimentid = runs.experimentid JOIN plannerConfigs ON plannerConfigs.id = plannerid
+        ORDER BY experiments.id, plannerConfigs.name, run)");
+    while (query.executeStep())
+        visit({query.getColumn(0).getString(), query.getColumn(1).getString(), query.getColumn(2).getInt(),
+               query.getColumn(3).getInt() != 0, query.getColumn(4).getString(), query.getColumn(5).getString(),
+               pathFromText(query.getColumn(6).getString())});
+}
+}  // namespace narrows

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/RunProcess.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "benchmark/PreparedRun.h"
+#include "benchmark/RunChild.h"
+
+namespace narrows
+{
+namespace
+{
+constexpr double grace = 0.5;           // seconds over the time limit before a planner is killed
+constexpr double warmUpGrace = 10.0;    // seconds, for building besides
+constexpr double untimedLimit = 120.0;  // seconds for stages that are not the planner's; only to end at all
+constexpr std::size_t tailSize = 4096;  // bytes of stdout and stderr that are kept
+constexpr std::size_t largestResult = std::size_t(256) << 20;
+constexpr std::size_t readsAtATime = 64;  // so that a flood on one pipe does not starve the others
+
+double limitOf(RunStage stage, const RunSpec &spec)
+{
+    switch (stage)
+    {
+        case RunStage::Solving:
+            return spec.timeLimit + grace;
+        case RunStage::WarmUp:
+            return spec.warmUp + spec.timeLimit + warmUpGrace;
+        case RunStage::Building:
+        case RunStage::Judging:
+            break;
+    }
+    return untimedLimit;
+}
+
+struct Pipe
+{
+    int readEnd = -1;
+    int writeEnd = -1;
+
+    Pipe()
+    {
+        std::array<int, 2> ends{};
+        if (pipe2(ends.data(), O_CLOEXEC) != 0)
+            throw std::system_error(errno, std::generic_category(), "pipe");
+        readEnd = ends[0];
+        writeEnd = ends[1];
+        fcntl(readEnd, F_SETFL, O_NONBLOCK);
+    }
+    ~Pipe()
+    {
+        if (readEnd >= 0)
+            close(readEnd);
+        close(writeEnd);
+    }
+    Pipe(const Pipe &) = delete;
+    Pipe &operator=(const Pipe &) = delete;
+
+    int takeReadEnd() { return std::exchange(readEnd, -1); }
+};
+
+/// Passes on what the pipe holds; closes it at its end.
+template <typename Take>
+void drain(int &pipe, std::size_t reads, const Take &take)
+{
+    std::array<char, 65536> buffer{};
+    for (std::size_t i = 0; pipe >= 0 && i < reads; ++i)
+    {
+        const ssize_t size = read(pipe, buffer.data(), buffer.size());
+        if (size > 0)
+            take(buffer.data(), static_cast<std::size_t>(size));
+        else if (size < 0 && errno == EAGAIN)
+            return;
+        else if (size == 0 || errno != EINTR)
+        {
+            close(pipe);
+            pipe = -1;
+        }
+    }
+}
+
+/// "SIGSEGV"
+std::string signalName(int number)
+{
+    const char *name = sigabbrev_np(number);
+    return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", number);
+}
+
+/// Whatever a process has written, as text that terminals, databases and JSON take.
+std::string printable(std::string bytes)
+{
+    for (char &byte : bytes)
+        if (byte != '\n' && byte != '\t' && (byte < ' ' || byte > '~'))
+            byte = '?';
+    return bytes;
+}
+}  // namespace
+
+RunProcess::RunProcess(const RunSpec &spec, std::size_t index) : spec_(spec), index_(index)
+{
+    Pipe result, output;
+    // What waits in our buffers would be written a second time if the run's process flushed its copy of them.
+    std::fflush(nullptr);
+    const pid_t supervisor = getpid();
+    pid_ = fork();
+    if (pid_ < 0)
+        throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid_ == 0)
+        liveAsRun(spec, {result.writeEnd, output.writeEnd}, supervisor);
+    setpgid(pid_, pid_);  // as the process itself does: whoever comes first
+    result_ = result.takeReadEnd();
+    output_ = output.takeReadEnd();
+    enter(RunStage::Building);
+}
+
+RunProcess::~RunProcess()
+{
+    if (pid_ > 0)
+    {
+        ::kill(-pid_, SIGKILL);
+        while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR)
+            continue;
+    }
+    for (const int pipe : {result_, output_})
+        if (pipe >= 0)
+            close(pipe);
+}
+
+void RunProcess::enter(RunStage stage)
+{
+    stage_ = stage;
+    stageStart_ = Clock::now();
+    deadline_ =
+        stageStart_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limitOf(stage, spec_)));
+}
+
+void RunProcess::readAll()
+{
+    readResult();
+    readOutput();
+}
+
+void RunProcess::readResult()
+{
+    drain(result_, readsAtATime,
+          [this](const char *data, std::size_t size)
+          {
+              if (resultText_.size() + size <= largestResult)
+                  resultText_.append(data, size);
+              else
+                  kill(Stop::Oversized);
+              takeMarks();
+          });
+}
+
+void RunProcess::readOutput()
+{
+    drain(output_, readsAtATime,
+          [this](const char *data, std::size_t size)
+          {
+              tail_.append(data, size);
+              if (tail_.size() > tailSize)
+                  tail_.erase(0, tail_.size() - tailSize);
+          });
+}
+
+void RunProcess::takeMarks()
+{
+    std::size_t taken = 0;
+    for (; !resultBegun_ && taken < resultText_.size(); ++taken)
+    {
+        const char mark = resultText_[taken];
+        resultBegun_ = mark == resultMark;
+        for (const RunStage stage : {RunStage::Building, RunStage::WarmUp, RunStage::Solving, RunStage::Judging})
+            if (mark == toMark(stage))
+                enter(stage);
+    }
+    resultText_.erase(0, taken);
+}
+
+void RunProcess::kill(Stop why)
+{
+    if (stop_ != Stop::None)
+        return;
+    stop_ = why;
+    deadline_ = Clock::time_point::max();
+    stageSeconds_ = std::chrono::duration<double>(Clock::now() - stageStart_).count();
+    ::kill(-pid_, SIGKILL);
+}
+
+void RunProcess::enforceDeadline(Clock::time_point now)
+{
+    if (stop_ == Stop::None && now >= deadline_)
+        kill(Stop::Overdue);
+}
+
+bool RunProcess::hasEnded()
+{
+    // The dead process is left in place while its group is killed, so that its number cannot belong to somebody else
+    // yet.
+    siginfo_t info{};
+    if (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0)
+        return false;
+    ::kill(-pid_, SIGKILL);
+    waitpid(pid_, &waitStatus_, 0);
+    pid_ = -1;
+    // A pipe holds no more than a few of these reads.
+    readAll();
+    return true;
+}
+
+Record RunProcess::record() const
+{
+    Record record;
+    try
+    {
+        record = stop_ == Stop::None ? fromEnd() : fromKill();
+    }
+    catch (const std::invalid_argument &error)
+    {
+        record = announce(spec_);
+        record.outcome = Outcome::Crash;
+        record.reason = printable(fmt::format("malformed result: {}", error.what()));
+    }
+    record.output = printable(tail_);
+    return record;
+}
+
+Record RunProcess::fromEnd() const
+{
+    if (WIFEXITED(waitStatus_) && WEXITSTATUS(waitStatus_) == EXIT_SUCCESS && resultBegun_)
+        return recordFromJson(resultText_);
+
+    Record record = announce(spec_);
+    record.outcome = Outcome::Crash;
+    if (!WIFSIGNALED(waitStatus_))
+    {
+        record.reason = fmt::format("exited without a result (code {})", WEXITSTATUS(waitStatus_));
+        return record;
+    }
+    const int number = WTERMSIG(waitStatus_);
+    record.reason = signalName(number);
+    // An allocation that fails where no exception can be caught aborts; a system out of memory kills.
+    if (number == SIGKILL || (number == SIGABRT && tail_.find("std::bad_alloc") != std::string::npos))
+        record.outcome = Outcome::Memory;
+    return record;
+}
+
+Record RunProcess::fromKill() const
+{
+    Record record = announce(spec_);
+    if (stop_ == Stop::Oversized)
+    {
+        record.outcome = Outcome::Crash;
+        record.reason = "oversized result";
+        return record;
+    }
+    switch (stage_)
+    {
+        case RunStage::Solving:
+            record.outcome = Outcome::Timeout;
+            record.reason = "killed: ignored the limit";
+            record.time = stageSeconds_;
+            break;
+        case RunStage::WarmUp:
+            record.outcome = Outcome::Timeout;
+            record.reason = "killed: ignored the limit of the warm-up";
+            break;
+        case RunStage::Building:
+            record.outcome = Outcome::Timeout;
+            record.reason = "killed: setup did not end";
+            break;
+        case RunStage::Judging:
+            record.outcome = Outcome::InternalError;
+            record.reason = "killed: judging the solution did not end";
+            break;
+    }
+    return record;
+}
+}  // namespace narrows

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateSampler.h>
+#include <ompl/geometric/planners/xxl/XXLPositionDecomposition.h>
+
+#include "spaces/PlanarArmStateSpace.h"
+
+namespace narrows
+{
+/// A grid over all places that the tip of a planar arm's last link can reach, for XXL. States of a cell are found by
+/// pulling the tip of a perturbed state into it.
+class ArmDecomposition : public og::XXLPositionDecomposition
+{
+public:
+    /// \throws std::invalid_argument if the state space is not a PlanarArmStateSpace.
+    explicit ArmDecomposition(const ob::SpaceInformationPtr &si);
+
+    int numLayers() const override { return 1; }
+
+    /// Writes a free state of the cell, near `seed` if there is one; false if none is found in a few tries.
+    bool sampleFromRegion(int region, ob::State *state, const ob::State *seed = nullptr) const override;
+    bool sampleFromRegion(int region, ob::State *state, const ob::State *seed, int layer) const override;
+
+    void project(const ob::State *state, std::vector<double> &position, int layer = 0) const override;
+    void project(const ob::State *state, std::vector<int> &regions) const override;
+
+private:
+    Eigen::Vector2d randomPoint(int region) const;
+
+    ob::SpaceInformation *si_;  ///< the planner that owns this keeps it alive
+    const PlanarArmStateSpace *space_;
+    ob::StateSamplerPtr sampler_;
+    mutable ompl::RNG rng_;
+};
+}  // namespace narrows

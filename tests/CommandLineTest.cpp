@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <SQLiteCpp/Database.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "scenario/Scenario.h"
+
+namespace narrows
+{
+namespace
+{
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string scenarios = NARROWS_SOURCE_DIR "/experiments/scenarios/";
+const std::string small = scenarios + "gap_small.yaml";
+
+struct Reply
+{
+    int code;
+    std::string out;
+    std::string err;
+};
+
+class CommandLine : public testing::Test
+{
+protected:
+    CommandLine() { std::filesystem::create_directories(folder_); }
+    ~CommandLine() override { std::filesystem::remove_all(folder_); }
+
+    static std::string readFile(const std::string &path)
+    {
+        std::ostringstream text;
+        text << std::ifstream(path).rdbuf();
+        return text.str();
+    }
+
+    std::string file(const std::string &name, const std::string &content) const
+    {
+        std::ofstream(folder_ + "/" + name) << content;
+        return folder_ + "/" + name;
+    }
+
+    /// Runs the program; `arguments` are words for the shell.
+    Reply narrows(const std::string &arguments) const
+    {
+        const std::string out = folder_ + "/out";
+        const std::string err = folder_ + "/err";
+        const int status = std::system((NARROWS_PROGRAM " " + arguments + " > " + out + " 2> " + err).c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(out), readFile(err)};
+    }
+
+    std::string experiment() const
+    {
+        return file("test.cfg", "[problem]\nname = test\nscenario = " + small +
+                                    "\n[benchmark]\nrun_count = 2\nwarm_up = 0\nsave_paths = all\n"
+                                    "[planner]\nrrtconnect =\nbiest =\n");
+    }
+
+    std::string folder_ = testing::TempDir() + "commandline" + std::to_string(getpid());
+};
+
+TEST_F(CommandLine, BadUsageIsCode2)
+{
+    for (const char *arguments : {"", "dance", "plan", "plan --planner", "bench", "list", "list wishes", "show planner",
+                                  "bench a.cfg --engine steam", "verify a.yaml"})
+    {
+        const Reply reply = narrows(arguments);
+        EXPECT_EQ(reply.code, 2) << arguments;
+        EXPECT_THAT(reply.out, IsEmpty()) << arguments;
+        EXPECT_FALSE(reply.err.empty()) << arguments;
+    }
+    EXPECT_EQ(narrows("--help").code, 0);
+    EXPECT_EQ(narrows("plan --help").code, 0);
+    EXPECT_EQ(narrows("--version").code, 0);
+}
+
+TEST_F(CommandLine, PlanSolvesAndSaysSo)
+{
+    const Reply reply = narrows("plan " + small + " --planner rrtconnect --seed 3 --simplify");
+    EXPECT_EQ(reply.code, 0) << reply.err;
+    EXPECT_THAT(reply.out, HasSubstr("rrtconnect on gap-small: solved"));
+    EXPECT_THAT(reply.out, HasSubstr("CPU time"));
+    EXPECT_THAT(reply.err, IsEmpty());
+}
+
+TEST_F(CommandLine, PlanWithJsonPrintsOneObjectAndNothingElse)
+{
+    const Reply reply = narrows("plan " + small + " --planner rrtconnect --param range=9 --param range=0.5 --json -");
+    EXPECT_EQ(reply.code, 0) << reply.err;
+    const nlohmann::json json = nlohmann::json::parse(reply.out);
+    EXPECT_EQ(json.at("outcome"), "solved");
+    EXPECT_EQ(json.at("parameters").at("range"), "0.5");  // the later one wins
+    EXPECT_TRUE(json.at("solution_difference").is_null());
+}
+
+TEST_F(CommandLine, PlanThatDoesNotSolveIsCode1)
+{
+    const Reply reply = narrows("plan " + scenarios + "hppm_case3.yaml --planner rrt --time 0.05 --json -");
+    EXPECT_EQ(reply.code, 1);
+    EXPECT_NE(nlohmann::json::parse(reply.out).at("outcome"), "solved");
+}
+
+TEST_F(CommandLine, PlanRefusesWrongNamesAndValues)
+{
+    const std::string plan = "plan " + small + " --planner ";
+    for (const auto &[arguments, word] : std::vector<std::pair<std::string, std::string>>{
+             {plan + "rrtconect", "rrtconnect"},
+             {plan + "rrtconnect --param rnage=1", "rnage"},
+             {plan + "rrtconnect --param range=far", "far"},
+             {plan + "rrtconnect --param range", "range"},
+             {plan + "rrtconnect --checker magic", "magic"},
+             {plan + "rrtconnect --motion sometimes", "sometimes"},
+             {plan + "rrtconnect --space sideways", "sideways"},
+             {plan + "rrtconnect --seed 0", "seed"},
+             {plan + "rrtconnect --time -1", "time"},
+             {plan + "rrtconnect --json " + folder_ + "/none/a.json", "a.json"},
+             {"plan nowhere.yaml --planner rrtconnect", "nowhere.yaml"}})
+    {
+        const Reply reply = narrows(arguments);
+        EXPECT_EQ(reply.code, 2) << arguments;
+        EXPECT_THAT(reply.err, HasSubstr(word)) << arguments;
+    }
+}
+
+TEST_F(CommandLine, VerifyJudgesWhatPlanWrote)
+{
+    const std::string record = folder_ + "/record.json";
+    ASSERT_EQ(narrows("plan " + small + " --planner biest --json " + record).code, 0);
+    const Reply reply = narrows("verify " + small + " " + record);
+    EXPECT_EQ(reply.code, 0);
+    EXPECT_THAT(reply.out, HasSubstr("accepted: "));
+
+    nlohmann::json rows = nlohmann::json::parse(readFile(record)).at("path").at("angles");
+    EXPECT_EQ(narrows("verify " + small + " " + file("bare.json", rows.dump())).code, 0);
+    EXPECT_EQ(narrows("verify " + small + " " + file("angles.json", nlohmann::json{{"angles", rows}}.dump())).code, 0);
+    rows.back()[0] = 0.0;
+    const Reply refused = narrows("verify " + small + " " + file("bad.json", rows.dump()));
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_THAT(refused.out, HasSubstr("refused: "));
+}
+
+TEST_F(CommandLine, VerifyTakesAnglesInTheScenariosConvention)
+{
+    // A straight arm that swings by a quarter: in relative angles only the first joint moves.
+    const std::string scenario = file("relative.yaml", R"(format: narrows/scenario/1
+name: relative
+robot: {kind: planar_arm, base: [0, 0], links: [{length: 1}, {length: 1}], radius: 0, angles: relative, limits: none}
+obstacles: [{name: C, kind: circle, center: [0, 5], radius: 1}]
+start: {angles: [0, 0]}
+goal: {angles: [90 deg, 0]}
+)");
+    EXPECT_EQ(narrows("verify " + scenario + " " + file("p.json", "[[0, 0], [1.5707963267948966, 0]]")).code, 0);
+    EXPECT_EQ(narrows("verify " + scenario + " " + file("q.json", "[[0, 0], [1.5707963267948966, 1.5707963267948966]]")).code,
+              1);
+}
+
+TEST_F(CommandLine, VerifyRefusesMalformedPaths)
+{
+    for (const char *text : {"", "{", "3", "{\"path\": null}", "{\"angles\": 1}", "[[0, 0]]", "[[0, 0, \"x\"]]", "[1, 2]"})
+    {
+        const Reply reply = narrows("verify " + small + " " + file("path.json", text));
+        EXPECT_EQ(reply.code, 2) << text;
+        EXPECT_THAT(reply.err, HasSubstr("path.json")) << text;
+    }
+    EXPECT_EQ(narrows("verify " + small + " " + folder_ + "/nothing.json").code, 2);
+    EXPECT_EQ(narrows("verify " + small + " " + file("empty.json", "[]")).code, 1);  // well-formed, but no path
+}
+
+TEST_F(CommandLine, BenchSummaryAndRecheckWorkTogether)
+{
+    const std::string database = folder_ + "/results.db";
+    const std::string bench = "bench " + experiment() + " --db " + database;
+    const Reply first = narrows(bench + " --jobs 1");
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_THAT(first.out, HasSubstr("rrtconnect"));
+    EXPECT_THAT(first.err, HasSubstr("4 of 4 runs"));
+
+    const std::string before = narrows("summary " + database).out;
+    EXPECT_EQ(before, first.out);
+    EXPECT_EQ(narrows(bench).code, 2);
+    EXPECT_EQ(narrows(bench + " --resume").code, 0);
+    EXPECT_EQ(narrows("summary " + database).out, before);
+    EXPECT_THAT(narrows("summary --markdown " + database).out, HasSubstr("| rrtconnect | 2/2 |"));
+
+    const Reply recheck = narrows("recheck --step 1e-2 " + database);
+    EXPECT_EQ(recheck.code, 0) << recheck.out;
+    EXPECT_THAT(recheck.out, HasSubstr("4 accepted and 0 refused paths"));
+    EXPECT_EQ(narrows("recheck --step 0 " + database).code, 2);
+}
+
+TEST_F(CommandLine, BenchWithOmplsEngineStoresRowsAndLogs)
+{
+    const std::string database = folder_ + "/ompl.db";
+    const Reply reply = narrows("bench " + experiment() + " --engine ompl --db " + database);
+    EXPECT_EQ(reply.code, 0) << reply.err;
+    EXPECT_THAT(narrows("summary " + database).out, HasSubstr("biest"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/ompl_gap-small_analytic.log"));
+}
+
+TEST_F(CommandLine, RecheckFindsAPathThatCollides)
+{
+    const std::string database = folder_ + "/results.db";
+    ASSERT_EQ(narrows("bench " + experiment() + " --db " + database).code, 0);
+    // Straight through the obstacle "right", claimed to be verified.
+    SQLite::Database(database, SQLite::OPEN_READWRITE).exec("UPDATE paths SET angles = '[[0,0,0],[1.22,1.05,0.87]]'");
+    const Reply reply = narrows("recheck --step 1e-2 " + database);
+    EXPECT_EQ(reply.code, 1);
+    EXPECT_THAT(reply.out, HasSubstr("was accepted, is refused now"));
+}
+
+TEST_F(CommandLine, ForeignDatabasesAreCode2)
+{
+    const std::string text = file("text.db", "not a database");
+    for (const char *command : {"summary ", "recheck "})
+    {
+        EXPECT_EQ(narrows(command + text).code, 2);
+        EXPECT_EQ(narrows(command + folder_ + "/none.db").code, 2);
+    }
+    EXPECT_EQ(narrows("bench " + experiment() + " --resume --db " + text).code, 2);
+    EXPECT_EQ(narrows("bench " + experiment() + " --db /proc/none/a.db").code, 2);
+}
+
+TEST_F(CommandLine, ListsAndShows)
+{
+    EXPECT_THAT(narrows("list planners").out, HasSubstr("rrtconnect"));
+    EXPECT_THAT(narrows("list scenarios").out, HasSubstr("gap_small.yaml"));
+    EXPECT_THAT(narrows("list metrics").out, HasSubstr("state_checks"));
+    for (const char *kind : {"planners", "scenarios", "metrics"})
+        EXPECT_FALSE(nlohmann::json::parse(narrows(std::string("list --json ") + kind).out).at(kind).empty());
+    const Reply shown = narrows("show planner rrtconnect");
+    EXPECT_EQ(shown.code, 0);
+    EXPECT_THAT(shown.out, HasSubstr("range = "));
+    EXPECT_EQ(narrows("show planner nobody").code, 2);
+    // Every planner there is can be shown.
+    for (const auto &planner : nlohmann::json::parse(narrows("list planners --json").out).at("planners"))
+        EXPECT_EQ(narrows("show planner --json " + planner.at("name").get<std::string>()).code, 0) << planner;
+}
+
+TEST_F(CommandLine, EveryBadScenarioIsCode2NamingFileLineAndKey)
+{
+    int count = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(NARROWS_SOURCE_DIR "/tests/data/bad"))
+    {
+        if (entry.path().extension() != ".yaml")
+            continue;
+        ++count;
+        const Reply reply = narrows("plan " + entry.path().string() + " --planner rrtconnect");
+        EXPECT_EQ(reply.code, 2) << entry.path();
+        EXPECT_THAT(reply.out, IsEmpty()) << entry.path();
+        try
+        {
+            readScenario(entry.path().string());
+            ADD_FAILURE() << entry.path() << " is read";
+        }
+        catch (const InputError &error)
+        {
+            for (const InputFault &fault : error.faults())
+                EXPECT_THAT(reply.err, HasSubstr(fault.text()));
+        }
+    }
+    EXPECT_GE(count, 25);
+}
+
+TEST_F(CommandLine, EveryBadExperimentIsCode2)
+{
+    for (const auto &entry : std::filesystem::directory_iterator(NARROWS_SOURCE_DIR "/tests/data/bad_experiments"))
+    {
+        const Reply reply = narrows("bench " + entry.path().string());
+        EXPECT_EQ(reply.code, 2) << entry.path();
+        EXPECT_FALSE(reply.err.empty()) << entry.path();
+    }
+}
+}  // namespace
+}  // namespace narrows
