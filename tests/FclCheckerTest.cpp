@@ -34,7 +34,8 @@ Polygon notched()
     return {{{1, -1}, {2, -1}, {2, 1}, {1, 1}, {1, 0.2}, {1.5, 0.2}, {1.5, -0.2}, {1, -0.2}}};
 }
 
-void expectClearance(const PlanarModel &model, const Vector2d &a, const Vector2d &b, double expected, double safety = 0.0)
+void expectClearance(const PlanarModel &model, const Vector2d &a, const Vector2d &b, double expected,
+                     double safety = 0.0)
 {
     const auto checker = makeFclChecker(model);
     const double clearance = checker->linkClearance(a, b);
@@ -78,11 +79,17 @@ TEST(FclChecker, TakesTouchingAndOverlapForCollisions)
           PlanarObstacle{"P", Polygon{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}}}})
     {
         const auto checker = makeFclChecker(scene({obstacle}));
-        for (const auto &[a, b] : {std::pair<Vector2d, Vector2d>{{1, -2}, {1, 2}}, {{-2, 0}, {2, 0}}, {{-2, 0.1}, {2, 0.3}},
-                                   {{0, 0}, {0.1, 0}}, {{1, 0}, {3, 0}}, {{0, 0}, {5, 0.5}}})
+        for (const auto &[a, b] : {std::pair<Vector2d, Vector2d>{{1, -2}, {1, 2}},
+                                   {{-2, 0}, {2, 0}},
+                                   {{-2, 0.1}, {2, 0.3}},
+                                   {{0, 0}, {0.1, 0}},
+                                   {{1, 0}, {3, 0}},
+                                   {{0, 0}, {5, 0.5}}})
         {
-            EXPECT_FALSE(checker->linkClears(a, b, 0.0)) << obstacle.name << " " << a.transpose() << ", " << b.transpose();
-            EXPECT_LE(checker->linkClearance(a, b), 0.0) << obstacle.name << " " << a.transpose() << ", " << b.transpose();
+            EXPECT_FALSE(checker->linkClears(a, b, 0.0))
+                << obstacle.name << " " << a.transpose() << ", " << b.transpose();
+            EXPECT_LE(checker->linkClearance(a, b), 0.0)
+                << obstacle.name << " " << a.transpose() << ", " << b.transpose();
         }
     }
 }
@@ -166,7 +173,8 @@ TEST(FclChecker, ServesThreadsAlike)
 {
     const PlanarModel model = paperScene(3).model;
     const auto checker = makeFclChecker(model);
-    const auto sweep = [&checker](std::vector<double> &clearances) {
+    const auto sweep = [&checker](std::vector<double> &clearances)
+    {
         for (int i = 0; i < 500; ++i)
             clearances.push_back(checker->linkClearance({0.01 * i, 3.0}, {0.01 * i + 0.5, 3.5}));
     };
@@ -195,8 +203,9 @@ TEST(ConvexPieces, CoverAPolygonWithoutOverlap)
     std::vector<Polygon> polygons{notched(), {{{0, 0}, {1, 0}, {0, 1}}}};
     polygons.emplace_back();
     for (int i = 0; i < 24; ++i)  // a star
-        polygons.back().vertices.emplace_back((i % 2 ? 1 : 3) * std::cos(0.26 * i), (i % 2 ? 1 : 3) * std::sin(0.26 * i));
-    polygons.push_back({{{0, 0}, {0, 1}, {0.5, 0.5}, {1, 1}, {1, 0}}});  // clockwise
+        polygons.back().vertices.emplace_back((i % 2 ? 1 : 3) * std::cos(0.26 * i),
+                                              (i % 2 ? 1 : 3) * std::sin(0.26 * i));
+    polygons.push_back({{{0, 0}, {0, 1}, {0.5, 0.5}, {1, 1}, {1, 0}}});              // clockwise
     polygons.push_back({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 1}}});  // straight corners
     for (const Polygon &polygon : polygons)
     {

@@ -54,7 +54,8 @@ inline PaperScene paperScene2()
              {paperCircle("C1", 4.0, 6.5, 0.2), paperEllipsoid("E1", 4.5, 5.5, 15.0, 0.05),
               paperEllipsoid("E2", 4.5, 7.5, 15.0, 0.05)}},
             {anglesOf({quarter, quarter, quarter, -quarter, -quarter, -quarter, quarter, quarter}),
-             anglesOf({2 * quarter, 2 * quarter, 2 * quarter, quarter, quarter, sixth, finger, -finger}), {}}};
+             anglesOf({2 * quarter, 2 * quarter, 2 * quarter, quarter, quarter, sixth, finger, -finger}),
+             {}}};
 }
 
 inline PaperScene paperScene3()

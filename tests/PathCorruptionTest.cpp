@@ -78,7 +78,8 @@ private:
     std::mt19937 &generator_;
 };
 
-/// The corrupted waypoint may be the first or the last; what is asked for moves along, so that only geometry can refuse.
+/// The corrupted waypoint may be the first or the last; what is asked for moves along, so that only geometry can
+/// refuse.
 TEST(PathCorruption, NoneOf10000IsAccepted)
 {
     std::mt19937 generator(seed);

@@ -50,7 +50,8 @@ TEST(PlanarArm, MotionBoundsAreNeverExceeded)
     const PlanarArm arm = gripper();
     std::mt19937 generator(4);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    Eigen::VectorXd q(5), delta(5), bounds;
+    Eigen::VectorXd q(5), delta(5), bounds, bends;
+    std::vector<Eigen::Vector2d> speeds;
     std::vector<Eigen::Vector2d> from, to;
     for (int trial = 0; trial < 2000; ++trial)
     {
@@ -59,14 +60,17 @@ TEST(PlanarArm, MotionBoundsAreNeverExceeded)
             q[i] = 3.0 * uniform(generator);
             delta[i] = uniform(generator);
         }
-        arm.motionBounds(delta, bounds);
+        arm.motionBounds(delta, bounds, bends);
         arm.place(q, from);
+        arm.velocities(from, delta, speeds);
         arm.place(q + delta, to);
         for (int i = 0; i < arm.linkCount(); ++i)
         {
             const int base = arm.links()[i].parent + 1;
             EXPECT_LE((to[i + 1] - from[i + 1]).norm(), bounds[i] + 1e-12) << "trial " << trial;
             EXPECT_LE((to[base] - from[base]).norm(), bounds[i] + 1e-12) << "trial " << trial;
+            // Taylor: what the velocity does not explain, the acceleration does.
+            EXPECT_LE((to[i + 1] - from[i + 1] - speeds[i + 1]).norm(), 0.5 * bends[i] + 1e-12) << "trial " << trial;
         }
     }
 }

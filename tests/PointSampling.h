@@ -38,8 +38,8 @@ struct ContainsPoint
 };
 
 /// Whether any of `samples` + 1 points on a link's axis is in an obstacle.
-inline bool segmentHits(const std::vector<PlanarObstacle> &obstacles, const Eigen::Vector2d &a, const Eigen::Vector2d &b,
-                        int samples)
+inline bool segmentHits(const std::vector<PlanarObstacle> &obstacles, const Eigen::Vector2d &a,
+                        const Eigen::Vector2d &b, int samples)
 {
     for (int k = 0; k <= samples; ++k)
         for (const PlanarObstacle &obstacle : obstacles)

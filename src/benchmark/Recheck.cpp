@@ -26,8 +26,7 @@ public:
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
         {
             const Eigen::VectorXd delta = path[i + 1] - path[i];
-            arm_.motionBounds(delta, bounds_);
-            const auto count = static_cast<std::int64_t>(std::ceil(bounds_.maxCoeff() / step)) + 1;
+            const auto count = static_cast<std::int64_t>(std::ceil(longestWay(delta) / step)) + 1;
             for (std::int64_t k = 0; k <= count; ++k)
                 if (!isFree(path[i] + static_cast<double>(k) / static_cast<double>(count) * delta))
                     return false;
@@ -36,6 +35,15 @@ public:
     }
 
 private:
+    /// No point of the arm travels further than all joints' ways together.
+    double longestWay(const Eigen::VectorXd &delta) const
+    {
+        double way = arm_.slide() ? std::abs(delta[0]) : 0.0;
+        for (int link = 0; link < arm_.linkCount(); ++link)
+            way += arm_.links()[static_cast<std::size_t>(link)].length * std::abs(delta[arm_.firstAngle() + link]);
+        return way;
+    }
+
     bool isFree(const Eigen::VectorXd &q)
     {
         ++states_;
@@ -52,7 +60,6 @@ private:
     const PlanarArm &arm_;
     std::unique_ptr<PlanarChecker> checker_;
     std::int64_t states_ = 0;
-    Eigen::VectorXd bounds_;
     std::vector<Eigen::Vector2d> points_;
 };
 

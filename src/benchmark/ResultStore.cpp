@@ -180,7 +180,10 @@ ResultStore ResultStore::resume(const std::string &path, const Experiment &exper
 
 ResultStore ResultStore::open(const std::string &path)
 {
-    return ResultStore(openOurs(path, SQLite::OPEN_READONLY));
+    // Not opened read-only: the last to close a database with a write-ahead log tidies it up, which takes the right to write.
+    ResultStore store(openOurs(path, SQLite::OPEN_READWRITE));
+    store.database_->exec("PRAGMA query_only = ON");
+    return store;
 }
 
 void ResultStore::insertInstances(const Experiment &experiment)

@@ -68,15 +68,32 @@ void PlanarArm::place(ConfigurationRef q, std::vector<Eigen::Vector2d> &points) 
     }
 }
 
-void PlanarArm::motionBounds(ConfigurationRef delta, Eigen::VectorXd &bounds) const
+void PlanarArm::motionBounds(ConfigurationRef delta, Eigen::VectorXd &lengths, Eigen::VectorXd &bends) const
 {
-    bounds.resize(linkCount());
+    lengths.resize(linkCount());
+    bends.resize(linkCount());
     const double carried = slide_ ? std::abs(delta[0]) : 0.0;
-    const int first = firstAngle();
+    const double *turn = delta.data() + firstAngle();
     for (int i = 0; i < linkCount(); ++i)
     {
         const int parent = links_[i].parent;
-        bounds[i] = (parent < 0 ? carried : bounds[parent]) + links_[i].length * std::abs(delta[first + i]);
+        const double arc = links_[i].length * std::abs(turn[i]);
+        lengths[i] = (parent < 0 ? carried : lengths[parent]) + arc;
+        bends[i] = (parent < 0 ? 0.0 : bends[parent]) + arc * std::abs(turn[i]);
+    }
+}
+
+void PlanarArm::velocities(const std::vector<Eigen::Vector2d> &points, ConfigurationRef delta,
+                           std::vector<Eigen::Vector2d> &velocities) const
+{
+    velocities.resize(points.size());
+    velocities[0] = slide_ ? Eigen::Vector2d(delta[0] * slide_->axis) : Eigen::Vector2d::Zero();
+    const double *turn = delta.data() + firstAngle();
+    for (std::size_t i = 0; i < links_.size(); ++i)
+    {
+        const int base = links_[i].parent + 1;
+        const Eigen::Vector2d along = points[i + 1] - points[base];
+        velocities[i + 1] = velocities[base] + turn[i] * Eigen::Vector2d(-along.y(), along.x());
     }
 }
 

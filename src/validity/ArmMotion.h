@@ -9,8 +9,8 @@
 
 namespace narrows
 {
-/// Where an arm is on the straight way between two rows of a path, and how far it can get from there: the verifier's own
-/// kinematics. Point 0 is the arm's base and point i + 1 the tip of link i.
+/// Where an arm is on the straight way between two rows of a path, and how far it can get from there: the verifier's
+/// own kinematics. Point 0 is the arm's base and point i + 1 the tip of link i.
 class ArmMotion
 {
 public:
@@ -26,8 +26,9 @@ public:
     /// How far a point moves at most while t changes by up to `half`.
     double travel(int index, double half) const { return points_[index].travel * half; }
 
-    /// How far it moves at most along the line with the unit direction u: to second order, which is far less than `travel`
-    /// for a point that glides past a wall. Everything on a link moves along u at most as far as the link's worse end.
+    /// How far it moves at most along the line with the unit direction u: to second order, which is far less than
+    /// `travel` for a point that glides past a wall. Everything on a link moves along u at most as far as the link's
+    /// worse end.
     double travelAlong(int index, const Eigen::Vector2d &u, double half) const;
 
 private:

@@ -15,9 +15,9 @@ constexpr double leastTurn = 1e-6;  // radians between neighbouring tangents; ke
 /// Tangent of |x|^p + |y|^p = 1.
 struct Tangent
 {
-    double angle;    ///< of the normal
+    double angle;  ///< of the normal
     Vector2d normal;
-    double offset;   ///< normal . x on the line
+    double offset;  ///< normal . x on the line
     Vector2d contact;
 };
 

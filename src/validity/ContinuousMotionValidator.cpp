@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validity/ContinuousMotionValidator.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace narrows
@@ -15,7 +17,7 @@ public:
         placements_ = 0;
         validator.space_->toAbsolute(from, from_);
         validator.space_->displacement(from, to, delta_);
-        validator.space_->arm().motionBounds(delta_, bounds_);
+        validator.space_->arm().motionBounds(delta_, bounds_, bends_);
     }
 
     std::uint64_t placements() const { return placements_; }
@@ -78,6 +80,16 @@ private:
         ++placements_;
     }
 
+    /// How far any point of a link can get from where it is now, within `half` of the motion's parameter either way: at most
+    /// the bound on its way, and at most its speed now times `half` plus what its acceleration can add. A link's points
+    /// move no faster than the faster of its ends.
+    double travel(int link, double half) const
+    {
+        const Eigen::Vector2d &base = velocities_[validator_->space_->arm().links()[link].parent + 1];
+        const double speed = std::sqrt(std::max(base.squaredNorm(), velocities_[link + 1].squaredNorm()));
+        return half * std::min(bounds_[link], speed + 0.5 * half * bends_[link]);
+    }
+
     /// Certifies what can be certified of a stretch. With `divide`, its halves are queued for the other links and only a
     /// link that touches something is a failure; without, every link that is not certified is one. By value: pending_ grows.
     bool examine(const Stretch stretch, bool divide)
@@ -85,16 +97,17 @@ private:
         const double half = 0.5 * (stretch.end - stretch.begin);
         const double middle = stretch.begin + half;
         place(middle);
+        validator_->space_->arm().velocities(points_, delta_, velocities_);
         const int firstOpen = static_cast<int>(links_.size());
         for (int k = 0; k < stretch.linkCount; ++k)
         {
             const int i = links_[stretch.firstLink + k];
             const Eigen::Vector2d &a = points_[validator_->space_->arm().links()[i].parent + 1];
             const Eigen::Vector2d &b = points_[i + 1];
-            const double travel = half * bounds_[i];
-            if (validator_->checker_->linkClears(a, b, travel))
+            const double reach = travel(i, half);
+            if (validator_->checker_->linkClears(a, b, reach))
                 continue;
-            if (!divide || travel < validator_->resolution_ || !validator_->checker_->linkClears(a, b, 0.0))
+            if (!divide || reach < validator_->resolution_ || !validator_->checker_->linkClears(a, b, 0.0))
                 return false;
             links_.push_back(i);
         }
@@ -108,8 +121,8 @@ private:
     }
 
     const ContinuousMotionValidator *validator_ = nullptr;
-    Eigen::VectorXd from_, delta_, bounds_, q_;
-    std::vector<Eigen::Vector2d> points_;
+    Eigen::VectorXd from_, delta_, bounds_, bends_, q_;
+    std::vector<Eigen::Vector2d> points_, velocities_;
     std::vector<int> links_;
     std::vector<Stretch> pending_;
     std::uint64_t placements_ = 0;

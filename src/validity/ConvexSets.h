@@ -10,8 +10,8 @@
 
 namespace narrows
 {
-/// Convex sets that stand for an obstacle in the verifier: the obstacle itself or, for a polygon that is not convex, its
-/// edges. An arm that keeps away from them keeps away from the obstacle, provided that its base is not enclosed.
+/// Convex sets that stand for an obstacle in the verifier: the obstacle itself or, for a polygon that is not convex,
+/// its edges. An arm that keeps away from them keeps away from the obstacle, provided that its base is not enclosed.
 std::vector<ConvexSet> convexSets(const PlanarObstacle &obstacle);
 
 /// Whether a polygon has the point inside. Always false for other shapes; on the boundary, either answer.

@@ -23,15 +23,16 @@ namespace
 {
 using Eigen::Vector2d;
 
-/// FCL's yes-or-no query with its default solver (libccd) misses overlaps of less than its tolerance of 1e-6 and nothing
-/// else, so capsules this much thicker err on the safe side only; links without a radius get a robust one by the way.
-/// Its other solver misses deep overlaps, and distances of both are now and then far off: tests/FclCheckerTest.cpp.
+/// FCL's yes-or-no query with its default solver (libccd) misses overlaps of less than its tolerance of 1e-6 and
+/// nothing else, so capsules this much thicker err on the safe side only; links without a radius get a robust one by
+/// the way. Its other solver misses deep overlaps, and distances of both are now and then far off:
+/// tests/FclCheckerTest.cpp.
 constexpr double resolution = 1e-6;
 
 constexpr double superellipseTolerance = 1e-3;  // of the smaller half extent
 
-/// An obstacle, or a convex piece of it, as a solid that the plane z = 0 cuts in the obstacle. The links lie in that plane,
-/// and every solid is symmetric about it, so distances in space are those in the plane.
+/// An obstacle, or a convex piece of it, as a solid that the plane z = 0 cuts in the obstacle. The links lie in that
+/// plane, and every solid is symmetric about it, so distances in space are those in the plane.
 struct Solid
 {
     std::shared_ptr<const fcl::CollisionGeometryd> geometry;
@@ -57,10 +58,12 @@ bool isAxisParallelBox(const Polygon &polygon, const Bounds &box)
 {
     if (polygon.vertices.size() != 4)
         return false;
-    return std::all_of(polygon.vertices.begin(), polygon.vertices.end(), [&](const Vector2d &vertex) {
-        return (vertex.x() == box.lower.x() || vertex.x() == box.upper.x()) &&
-               (vertex.y() == box.lower.y() || vertex.y() == box.upper.y());
-    });
+    return std::all_of(polygon.vertices.begin(), polygon.vertices.end(),
+                       [&](const Vector2d &vertex)
+                       {
+                           return (vertex.x() == box.lower.x() || vertex.x() == box.upper.x()) &&
+                                  (vertex.y() == box.lower.y() || vertex.y() == box.upper.y());
+                       });
 }
 
 std::shared_ptr<fcl::Convexd> extrude(const Polygon &polygon, double height)
@@ -101,7 +104,8 @@ struct SolidsOf
     /// A ball rather than a cylinder: FCL answers ball against capsule in closed form, exact and robust.
     std::vector<Solid> operator()(const Circle &circle) const
     {
-        return {{std::make_shared<fcl::Sphered>(circle.radius), shifted(circle.center), bounds({"", circle}), circle.center}};
+        return {{std::make_shared<fcl::Sphered>(circle.radius), shifted(circle.center), bounds({"", circle}),
+                 circle.center}};
     }
 
     std::vector<Solid> operator()(const Superellipse &shape) const
@@ -141,8 +145,8 @@ public:
     /// No less than the distance to the solid.
     double anchorDistance(const Solid &solid) const { return (solid.anchor - a_).norm(); }
 
-    /// Whether the solid keeps away from the segment by more than the distance. Errs, by less than twice the resolution,
-    /// towards "no"; whatever makes FCL throw counts as "no" too.
+    /// Whether the solid keeps away from the segment by more than the distance. Errs, by less than twice the
+    /// resolution, towards "no"; whatever makes FCL throw counts as "no" too.
     bool clears(const Solid &solid, double distance) const
     {
         const fcl::Capsuled capsule(distance + resolution, length_);
@@ -195,9 +199,9 @@ public:
     {
         const Link link(a, b);
         const double needed = radius_ + margin;
-        return std::all_of(solids_.begin(), solids_.end(), [&](const Solid &solid) {
-            return link.boxDistance(solid) > needed || link.clears(solid, needed);
-        });
+        return std::all_of(solids_.begin(), solids_.end(),
+                           [&](const Solid &solid)
+                           { return link.boxDistance(solid) > needed || link.clears(solid, needed); });
     }
 
     double linkClearance(const Vector2d &a, const Vector2d &b) const override
@@ -212,8 +216,8 @@ public:
     }
 
 private:
-    /// A distance that FCL claims is believed only if its yes-or-no query confirms it from both sides; else the latter finds
-    /// it alone, by bisection.
+    /// A distance that FCL claims is believed only if its yes-or-no query confirms it from both sides; else the latter
+    /// finds it alone, by bisection.
     double clearance(const Link &link, const Solid &solid) const
     {
         if (!link.clears(solid, radius_))

@@ -12,8 +12,8 @@ namespace
 {
 using Eigen::Vector2d;
 
-constexpr double leastTravel = 1e-12;            // of the arm's reach: an interval that moves less is not halved
-constexpr double relativeGap = 1e-4;             // of the clearance: a wider gap would cost halvings, a narrower one steps
+constexpr double leastTravel = 1e-12;  // of the arm's reach: an interval that moves less is not halved
+constexpr double relativeGap = 1e-4;   // of the clearance: a wider gap would cost halvings, a narrower one steps
 constexpr std::size_t maxOpenPairs = 1'000'000;  // bounds time and memory on paths that can hardly be certified
 }  // namespace
 
@@ -190,7 +190,8 @@ double PathProof::roughClearance(const Pair &pair, double half) const
     const Vector2d &base = motion_.point(motion_.baseOf(pair.link));
     const Vector2d &tip = motion_.point(motion_.tipOf(pair.link));
     const double distance = (0.5 * (base + tip) - piece.set.center).norm() - 0.5 * (tip - base).norm();
-    return distance - piece.set.boundingRadius - piece.thickness - motion_.travel(motion_.tipOf(pair.link), half) - rounding_;
+    return distance - piece.set.boundingRadius - piece.thickness - motion_.travel(motion_.tipOf(pair.link), half) -
+           rounding_;
 }
 
 /// Lower bound of the clearance during an interval, from the line that the pair was last separated by.

@@ -13,12 +13,13 @@
 
 namespace narrows
 {
-/// Proves that a piecewise straight path is free of collisions, and bounds its clearance from below, by branch and bound.
+/// Proves that a piecewise straight path is free of collisions, and bounds its clearance from below, by branch and
+/// bound.
 ///
 /// An interval of the path is settled for one link and one convex piece of an obstacle if a single line separates them
-/// during all of it: the line found at the middle, minus what the link's ends can move along its normal. Unsettled pairs
-/// are passed on to the two halves, level by level, so that coarse views of the whole path come before fine ones of any part.
-/// For one path; used once.
+/// during all of it: the line found at the middle, minus what the link's ends can move along its normal. Unsettled
+/// pairs are passed on to the two halves, level by level, so that coarse views of the whole path come before fine ones
+/// of any part. For one path; used once.
 class PathProof
 {
 public:
@@ -79,9 +80,11 @@ private:
     ArmMotion motion_;
     std::vector<Piece> pieces_;
     double rounding_ = 0.0;  ///< more than any error of a computed distance
-    double least_ = std::numeric_limits<double>::infinity();    ///< least clearance met anywhere: bounds the path's from above
-    double settled_ = std::numeric_limits<double>::infinity();  ///< least clearance settled for: bounds it from below, at the end
-    std::size_t openPairs_ = 0;  ///< handed to the next level so far
+    double least_ =
+        std::numeric_limits<double>::infinity();  ///< least clearance met anywhere: bounds the path's from above
+    double settled_ =
+        std::numeric_limits<double>::infinity();  ///< least clearance settled for: bounds it from below, at the end
+    std::size_t openPairs_ = 0;                   ///< handed to the next level so far
     Verdict verdict_;
 };
 }  // namespace narrows

@@ -32,8 +32,8 @@ Vector2d furthestOf(const std::vector<Vector2d> &points, const Vector2d &u)
     return furthest;
 }
 
-/// Where the gradient of |x/a|^p + |y/b|^p is parallel to u. Scaled by the larger component first, so that high exponents
-/// neither overflow nor vanish.
+/// Where the gradient of |x/a|^p + |y/b|^p is parallel to u. Scaled by the larger component first, so that high
+/// exponents neither overflow nor vanish.
 Vector2d furthestOf(const Superellipse &shape, const Vector2d &u)
 {
     const Vector2d scaled = shape.halfExtents.cwiseProduct(u);
@@ -54,8 +54,8 @@ struct Simplex
     std::optional<Vector2d> second;
     Vector2d nearest;
 
-    /// Unit vector from the origin to `nearest`. Across a segment it is the normal: near contact `nearest` is a difference
-    /// of almost equal numbers, the normal is not.
+    /// Unit vector from the origin to `nearest`. Across a segment it is the normal: near contact `nearest` is a
+    /// difference of almost equal numbers, the normal is not.
     Vector2d direction() const
     {
         if (!second)

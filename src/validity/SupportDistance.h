@@ -9,8 +9,8 @@
 
 #include "kernel/PlanarObstacle.h"
 
-/// The verifier's own geometry: convex sets known by their supporting lines only. Nothing here is shared with the checkers
-/// whose answers the verifier judges.
+/// The verifier's own geometry: convex sets known by their supporting lines only. Nothing here is shared with the
+/// checkers whose answers the verifier judges.
 namespace narrows
 {
 /// A convex set, given as all points within `inflation` of a core. A circle is an inflated point.
@@ -28,7 +28,8 @@ Eigen::Vector2d supportPoint(const ConvexSet &set, const Eigen::Vector2d &u);
 
 /// min(a.u, b.u) - max{x.u : x in the core}: by this much, at least, does the line with the unit normal u separate the
 /// segment ab from the core. A lower bound of their distance for every u; the greatest over all u is the distance.
-double separationAlong(const ConvexSet &set, const Eigen::Vector2d &a, const Eigen::Vector2d &b, const Eigen::Vector2d &u);
+double separationAlong(const ConvexSet &set, const Eigen::Vector2d &a, const Eigen::Vector2d &b,
+                       const Eigen::Vector2d &u);
 
 /// The distance between a segment and a core, from both sides.
 struct Separation
@@ -41,15 +42,16 @@ struct Separation
 /// When a search for the distance may stop. All gaps are upper - lower.
 struct SeparationGoal
 {
-    double thickness = 0.0;     ///< what counts is the distance minus this; the search ends when upper falls to it
+    double thickness = 0.0;  ///< what counts is the distance minus this; the search ends when upper falls to it
     double enough = std::numeric_limits<double>::infinity();  ///< lower >= enough is enough
-    double relativeGap = 0.0;   ///< so is a gap of at most relativeGap * (upper - thickness) ...
+    double relativeGap = 0.0;  ///< so is a gap of at most relativeGap * (upper - thickness) ...
     double absoluteGap = std::numeric_limits<double>::infinity();  ///< ... that is no wider than absoluteGap,
-    double rounding = 1e-15;    ///< and any gap that cannot be told from rounding errors
+    double rounding = 1e-15;  ///< and any gap that cannot be told from rounding errors
 };
 
-/// Raises the separation from the direction `guess` (unit) on, until the goal is reached or rounding ends it: the Gilbert-
-/// Johnson-Keerthi iteration in the plane. Converges in a few steps for hulls; for curves, the gap shrinks fourfold a step.
-Separation separate(const ConvexSet &set, const Eigen::Vector2d &a, const Eigen::Vector2d &b, const Eigen::Vector2d &guess,
-                    const SeparationGoal &goal);
+/// Raises the separation from the direction `guess` (unit) on, until the goal is reached or rounding ends it: the
+/// Gilbert- Johnson-Keerthi iteration in the plane. Converges in a few steps for hulls; for curves, the gap shrinks
+/// fourfold a step.
+Separation separate(const ConvexSet &set, const Eigen::Vector2d &a, const Eigen::Vector2d &b,
+                    const Eigen::Vector2d &guess, const SeparationGoal &goal);
 }  // namespace narrows

@@ -85,7 +85,8 @@ void requireConsistency(const PlanarModel &model, const PlanarTask &task, const 
     if (tip && (tip->link < 0 || tip->link >= links))
         throw std::invalid_argument("the goal's link must be one of the arm's " + std::to_string(links));
     if (!task.limits.angles.empty() && static_cast<int>(task.limits.angles.size()) != links)
-        throw std::invalid_argument("joint limits must be given for none or all of the " + std::to_string(links) + " links");
+        throw std::invalid_argument("joint limits must be given for none or all of the " + std::to_string(links) +
+                                    " links");
     if (!(options.clearanceTolerance > 0.0))
         throw std::invalid_argument("clearanceTolerance must be positive");
 }

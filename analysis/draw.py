@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of arms among obstacles.
+
+  draw.py run SCENARIO.yaml RECORD.json OUT.svg     one run, as `narrows plan --json` writes it
+  draw.py campaign RESULTS.db -o DIR                one picture per scenario, one panel per planner: its best run
+"""
+
+import argparse
+import json
+import math
+import sqlite3
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection
+
+from scene import poses, read_scene
+
+POSES = 28
+COLUMNS = 4
+# Okabe and Ito's colours, told apart by colour-blind readers too.
+START, GOAL, OBSTACLE, TRACE = "#0072B2", "#D55E00", "#B0B0B0", "#333333"
+SWEEP = "viridis"
+
+
+@dataclass
+class Panel:
+    title: str
+    caption: str
+    path: list
+
+
+def draw_scene(axes, scene):
+    for vertices in scene.outlines.values():
+        axes.add_patch(plt.Polygon(vertices, closed=True, facecolor=OBSTACLE, edgecolor="#606060", linewidth=0.8))
+
+
+def draw_arm(axes, scene, row, **style):
+    axes.add_collection(LineCollection(scene.arm.segments(row), capstyle="round", **style))
+
+
+def draw_motion(axes, scene, path):
+    """Swept arm from start (blue) to goal (orange), and where the last tip goes."""
+    shown = poses(path, POSES)
+    colours = matplotlib.colormaps[SWEEP](np.linspace(0.1, 0.9, len(shown)))
+    for row, colour in zip(shown, colours):
+        draw_arm(axes, scene, row, color=colour, linewidth=0.9, alpha=0.55)
+    tips = np.array([scene.arm.place(row)[-1] for row in poses(path, 20 * POSES)])
+    axes.plot(tips[:, 0], tips[:, 1], color=TRACE, linewidth=0.8, linestyle=":")
+    draw_arm(axes, scene, path[0], color=START, linewidth=2.4)
+    draw_arm(axes, scene, path[-1], color=GOAL, linewidth=2.4)
+    base = scene.arm.place(path[0])[0]
+    axes.plot(*base, marker="o", color="black", markersize=4)
+
+
+def extent(scene, paths):
+    """Corners of everything that is drawn, with a margin."""
+    points = list(scene.outlines.values())
+    for path in paths:
+        points += [scene.arm.place(row) for row in poses(path, POSES)]
+    points = np.vstack(points)
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.04 * max(high - low)
+    return low - margin, high + margin
+
+
+def draw_panel(axes, scene, panel, corners):
+    axes.set_title(panel.title, fontsize=10, fontweight="bold")
+    axes.set_xlabel(panel.caption, fontsize=8)
+    draw_scene(axes, scene)
+    if panel.path:
+        draw_motion(axes, scene, panel.path)
+    else:
+        axes.text(0.5, 0.5, "no verified path", transform=axes.transAxes, ha="center", va="center", fontsize=10)
+    low, high = corners
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+    axes.set_aspect("equal")
+    axes.tick_params(labelsize=7)
+
+
+def save(figure, target):
+    target = Path(target)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    # A fixed salt and no date: the same run gives the same file.
+    with plt.rc_context({"svg.hashsalt": "narrows"}):
+        figure.savefig(target, metadata={"Date": None} if target.suffix == ".svg" else None)
+    plt.close(figure)
+
+
+def draw_panels(scene, panels, target, heading=None):
+    columns = min(COLUMNS, len(panels))
+    rows = math.ceil(len(panels) / columns)
+    corners = extent(scene, [panel.path for panel in panels if panel.path])
+    shape = (corners[1][1] - corners[0][1]) / (corners[1][0] - corners[0][0])
+    width = 3.4 if columns > 1 else 6.4
+    figure, grid = plt.subplots(
+        rows,
+        columns,
+        figsize=(width * columns, (width * shape + 0.75) * rows + (0.5 if heading else 0.0)),
+        squeeze=False,
+        layout="constrained",
+    )
+    for axes, panel in zip(grid.flat, panels):
+        draw_panel(axes, scene, panel, corners)
+    for axes in list(grid.flat)[len(panels):]:
+        axes.set_visible(False)
+    if heading:
+        figure.suptitle(heading, fontsize=11)
+    save(figure, target)
+
+
+def milliseconds(seconds):
+    return "no time" if seconds is None else f"{1000.0 * seconds:.3g} ms"
+
+
+def draw_run(scenario, record, target):
+    scene = read_scene(Path(scenario).read_text())
+    data = json.loads(Path(record).read_text())
+    path = (data.get("path") or {}).get("angles") or []
+    caption = data["outcome"] + (f" ({data['reason']})" if data.get("reason") else "")
+    caption += f", CPU {milliseconds(data.get('cpu_s'))}"
+    draw_panels(scene, [Panel(f"{data['planner']} on {scene.name}", caption, path)], target)
+
+
+RUNS = """
+SELECT experiments.scenario AS scenario, instances.scenario AS text, plannerConfigs.name AS label, runs.id AS id,
+       runs.solved AS solved, runs.cpu_time AS cpu, runs.solution_length AS length, runs.prescribed AS prescribed,
+       experiments.checker AS checker
+FROM runs JOIN experiments ON experiments.id = runs.experimentid JOIN instances USING (experimentid)
+     JOIN plannerConfigs ON plannerConfigs.id = runs.plannerid
+ORDER BY experiments.id, runs.id
+"""
+
+
+def panel_of(database, label, runs):
+    """The shortest verified path of a planner's runs on one scenario, and how it did under the first checker."""
+    first = [run for run in runs if run["checker"] == runs[0]["checker"]]
+    times = sorted(run["cpu"] for run in first if run["solved"])
+    caption = f"{len(times)}/{len(first)} solved"
+    if times:
+        caption += f", CPU median {milliseconds(float(np.median(times)))}"
+    path = []
+    for run in sorted((run for run in runs if run["solved"]), key=lambda run: run["length"]):
+        row = database.execute("SELECT angles FROM paths WHERE runid = ?", (run["id"],)).fetchone()
+        if row is not None:
+            path = json.loads(row["angles"])
+            break
+    return Panel(label + ("*" if runs[0]["prescribed"] else ""), caption, path)
+
+
+def draw_campaign(path, folder):
+    """\\return the files that were written."""
+    database = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
+    database.row_factory = sqlite3.Row
+    scenarios = {}
+    for run in database.execute(RUNS):
+        scenario = scenarios.setdefault(run["scenario"], {"text": run["text"], "labels": {}})
+        scenario["labels"].setdefault(run["label"], []).append(run)
+    written = []
+    for name, scenario in scenarios.items():
+        panels = [panel_of(database, label, runs) for label, runs in scenario["labels"].items()]
+        panels.sort(key=lambda panel: panel.title)
+        starred = any(panel.title.endswith("*") for panel in panels)
+        checker = next(iter(scenario["labels"].values()))[0]["checker"]
+        heading = f"{name}: shortest verified path of each planner, start blue, goal orange (checker {checker})"
+        if starred:
+            heading += "\n* uses the recipe prescribed for this scenario"
+        target = Path(folder) / f"{name}.svg"
+        draw_panels(read_scene(scenario["text"]), panels, target, heading)
+        written.append(target)
+    database.close()
+    return written
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Pictures of arms among obstacles")
+    commands = parser.add_subparsers(dest="command", required=True)
+    run = commands.add_parser("run", help="one run, as `narrows plan --json` writes it")
+    run.add_argument("scenario")
+    run.add_argument("record")
+    run.add_argument("out")
+    campaign = commands.add_parser("campaign", help="one picture per scenario of a database")
+    campaign.add_argument("database")
+    campaign.add_argument("-o", "--output", required=True)
+    given = parser.parse_args(arguments)
+    if given.command == "run":
+        draw_run(given.scenario, given.record, given.out)
+    else:
+        for target in draw_campaign(given.database, given.output):
+            print(target)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Geometry of planar scenarios (`narrows/scenario/1`, docs/scenarios.md): outlines of obstacles and poses of the arm."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import yaml
+
+OUTLINE_POINTS = 160
+
+
+@dataclass
+class Arm:
+    """A tree of links; `parents` are 0-based with -1 for the base."""
+
+    base: np.ndarray
+    slide: np.ndarray | None
+    lengths: list
+    parents: list
+    relative: bool
+    radius: float
+
+    def absolute(self, row):
+        """A configuration in the scenario's own convention -> (slide value, absolute link angles)."""
+        row = np.asarray(row, dtype=float)
+        slide, angles = (row[0], row[1:].copy()) if self.slide is not None else (0.0, row.copy())
+        if self.relative:
+            for i, parent in enumerate(self.parents):
+                if parent >= 0:
+                    angles[i] += angles[parent]
+        return slide, angles
+
+    def place(self, row):
+        """Tips of all links, the base first: an array of shape (links + 1, 2)."""
+        slide, angles = self.absolute(row)
+        points = [self.base + (slide * self.slide if self.slide is not None else 0.0)]
+        for length, parent, angle in zip(self.lengths, self.parents, angles):
+            points.append(points[parent + 1] + length * np.array([np.cos(angle), np.sin(angle)]))
+        return np.array(points)
+
+    def segments(self, row):
+        """One (2, 2) array per link: its base and its tip."""
+        points = self.place(row)
+        return [np.array([points[parent + 1], points[i + 1]]) for i, parent in enumerate(self.parents)]
+
+
+@dataclass
+class Scene:
+    name: str
+    arm: Arm
+    outlines: dict  # obstacle name -> (n, 2) vertices
+
+
+def angle(value):
+    """A scenario's angle: radians, or a text such as "42.5 deg"."""
+    if isinstance(value, str):
+        return np.radians(float(value.removesuffix("deg")))
+    return float(value)
+
+
+def read_scene(text):
+    """The scene of a scenario file's text. The program has checked the file; errors here are ours."""
+    data = yaml.safe_load(text)
+    outlines = {
+        obstacle.get("name", f"obstacle {i + 1}"): outline(obstacle) for i, obstacle in enumerate(data["obstacles"])
+    }
+    return Scene(data["name"], read_arm(data["robot"]), outlines)
+
+
+def read_arm(robot):
+    base = robot.get("base", [0, 0])
+    slide = None
+    if isinstance(base, dict):
+        if "slide" in base:
+            slide = np.array(base["slide"]["axis"], dtype=float)
+            slide /= np.linalg.norm(slide)
+        base = base["origin"]
+    links = robot["links"]
+    parents = [link.get("parent", i) - 1 for i, link in enumerate(links)]
+    return Arm(
+        base=np.array(base, dtype=float),
+        slide=slide,
+        lengths=[float(link["length"]) for link in links],
+        parents=parents,
+        relative=robot.get("angles", "absolute") == "relative",
+        radius=float(robot.get("radius", 0.0)),
+    )
+
+
+def outline(obstacle):
+    """Vertices around an obstacle."""
+    kind = obstacle["kind"]
+    if kind == "polygon":
+        return np.array(obstacle["vertices"], dtype=float)
+    if kind == "box":
+        (left, bottom), (right, top) = obstacle["min"], obstacle["max"]
+        return np.array([[left, bottom], [right, bottom], [right, top], [left, top]], dtype=float)
+    turn = np.linspace(0.0, 2.0 * np.pi, OUTLINE_POINTS, endpoint=False)
+    unit = np.column_stack([np.cos(turn), np.sin(turn)])
+    center = np.array(obstacle["center"], dtype=float)
+    if kind == "circle":
+        return center + obstacle["radius"] * unit
+    if kind == "superellipse":
+        power = 2.0 / obstacle.get("exponent", 4)
+        return center + np.array(obstacle["half_extents"]) * np.sign(unit) * np.abs(unit) ** power
+    raise ValueError(f"obstacle kind {kind!r} has no outline")
+
+
+def poses(path, count):
+    """`count` configurations spread evenly over a path's length in joint space, both ends included."""
+    path = np.asarray(path, dtype=float)
+    steps = np.linalg.norm(np.diff(path, axis=0), axis=1)
+    along = np.concatenate([[0.0], np.cumsum(steps)])
+    if along[-1] == 0.0:
+        return path[:1]
+    wanted = np.linspace(0.0, along[-1], count)
+    return np.column_stack([np.interp(wanted, along, column) for column in path.T])
