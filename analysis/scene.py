@@ -38,10 +38,20 @@ class Arm:
             points.append(points[parent + 1] + length * np.array([np.cos(angle), np.sin(angle)]))
         return np.array(points)
 
-    def segments(self, row):
-        """One (2, 2) array per link: its base and its tip."""
-        points = self.place(row)
-        return [np.array([points[parent + 1], points[i + 1]]) for i, parent in enumerate(self.parents)]
+    def segments(self, points):
+        """One (2, 2) array per link of a placed arm: its base and its tip."""
+        return [points[[parent + 1, i + 1]] for i, parent in enumerate(self.parents)]
+
+    def branches(self, points):
+        """A placed arm as few polylines: the first from the base, every other from the link where it branches off."""
+        chains = []
+        last = -1  # the link that the chain at hand ends with
+        for i, parent in enumerate(self.parents):
+            if i == 0 or parent != last:
+                chains.append([parent + 1])
+            chains[-1].append(i + 1)
+            last = i
+        return [points[chain] for chain in chains]
 
 
 @dataclass
@@ -49,6 +59,10 @@ class Scene:
     name: str
     arm: Arm
     outlines: dict  # obstacle name -> (n, 2) vertices
+    rail: np.ndarray | None  # both ends of the base's way
+    start: np.ndarray  # a placed arm
+    goal: np.ndarray | None  # a placed arm, unless only a tip is asked for:
+    target: tuple | None  # (point, tolerance)
 
 
 def angle(value):
@@ -64,7 +78,35 @@ def read_scene(text):
     outlines = {
         obstacle.get("name", f"obstacle {i + 1}"): outline(obstacle) for i, obstacle in enumerate(data["obstacles"])
     }
-    return Scene(data["name"], read_arm(data["robot"]), outlines)
+    arm = read_arm(data["robot"])
+    goal = data["goal"]
+    target = (np.array(goal["tip"], dtype=float), float(goal["tolerance"])) if "tip" in goal else None
+    return Scene(
+        name=data["name"],
+        arm=arm,
+        outlines=outlines,
+        rail=read_rail(data["robot"], arm),
+        start=read_pose(data["start"], arm),
+        goal=read_pose(goal, arm) if target is None else None,
+        target=target,
+    )
+
+
+def read_pose(state, arm):
+    """Where the base and the tips are in a start or goal, given by angles or by points."""
+    slide = float(state.get("slide", 0.0))
+    if "points" in state:
+        base = arm.base + (slide * arm.slide if arm.slide is not None else 0.0)
+        return np.vstack([base, np.array(state["points"], dtype=float)])
+    angles = [angle(value) for value in state["angles"]]
+    return arm.place(angles if arm.slide is None else [slide, *angles])
+
+
+def read_rail(robot, arm):
+    if arm.slide is None:
+        return None
+    limits = np.array(robot["base"]["slide"]["limits"], dtype=float)
+    return arm.base + limits[:, None] * arm.slide
 
 
 def read_arm(robot):
@@ -104,6 +146,14 @@ def outline(obstacle):
         power = 2.0 / obstacle.get("exponent", 4)
         return center + np.array(obstacle["half_extents"]) * np.sign(unit) * np.abs(unit) ** power
     raise ValueError(f"obstacle kind {kind!r} has no outline")
+
+
+def capsule(segment, radius):
+    """Outline of all points within `radius` of a segment."""
+    along = segment[1] - segment[0]
+    turn = np.arctan2(along[1], along[0]) + np.linspace(-0.5, 0.5, 17) * np.pi
+    arc = radius * np.column_stack([np.cos(turn), np.sin(turn)])
+    return np.vstack([segment[1] + arc, segment[0] - arc])
 
 
 def poses(path, count):

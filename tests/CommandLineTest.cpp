@@ -241,7 +241,8 @@ TEST_F(CommandLine, ListsAndShows)
     EXPECT_THAT(shown.out, HasSubstr("range = "));
     EXPECT_EQ(narrows("show planner nobody").code, 2);
     // Every planner there is can be shown.
-    for (const auto &planner : nlohmann::json::parse(narrows("list planners --json").out).at("planners"))
+    const nlohmann::json planners = nlohmann::json::parse(narrows("list planners --json").out);
+    for (const auto &planner : planners.at("planners"))
         EXPECT_EQ(narrows("show planner --json " + planner.at("name").get<std::string>()).code, 0) << planner;
 }
 

@@ -4,39 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kernel/PoleArrays.h"
+
 namespace narrows
 {
 using Eigen::Vector2d;
-
-namespace
-{
-/// C and its gradient at a point. A template only to name a private type; inlined into the one loop that matters.
-template <typename Pole>
-inline double obstacleFunction(const Pole &pole, const Vector2d &point, Vector2d &slope)
-{
-    const double x = point.x() - pole.center.x();
-    const double y = point.y() - pole.center.y();
-    if (pole.circle)
-    {
-        slope = Vector2d(2.0 * x, 2.0 * y);
-        return x * x + y * y - pole.squaredRadius;
-    }
-    const double u = x * pole.inverseExtents.x();
-    const double v = y * pole.inverseExtents.y();
-    if (pole.exponent == 4.0)
-    {
-        const double uCubed = u * u * u;
-        const double vCubed = v * v * v;
-        slope = Vector2d(4.0 * uCubed * pole.inverseExtents.x(), 4.0 * vCubed * pole.inverseExtents.y());
-        return uCubed * u + vCubed * v - 1.0;
-    }
-    const double uPower = std::pow(std::abs(u), pole.exponent - 1.0);
-    const double vPower = std::pow(std::abs(v), pole.exponent - 1.0);
-    slope = Vector2d(pole.exponent * std::copysign(uPower, u) * pole.inverseExtents.x(),
-                     pole.exponent * std::copysign(vPower, v) * pole.inverseExtents.y());
-    return uPower * std::abs(u) + vPower * std::abs(v) - 1.0;
-}
-}  // namespace
 
 bool ArmRepulsion::supports(const PlanarModel &model)
 {
@@ -55,6 +27,8 @@ ArmRepulsion::ArmRepulsion(const PlanarModel &model, const std::vector<double> &
         throw std::invalid_argument("there must be one repulsion per obstacle");
     if (!supports(model))
         throw std::invalid_argument("the paper has no obstacle function for polygons");
+    for (int k = 1; k <= pointsPerLink; ++k)
+        fractions_.push_back(static_cast<double>(k) / pointsPerLink);
     const double radius = model.arm.radius();
     for (std::size_t i = 0; i < strengths.size(); ++i)
     {
@@ -76,61 +50,83 @@ ArmRepulsion::ArmRepulsion(const PlanarModel &model, const std::vector<double> &
 
 void ArmRepulsion::evaluate(ConfigurationRef q, Sample &sample) const
 {
-    const int links = arm_.linkCount();
-    const int first = arm_.firstAngle();
-    double value = 0.0;
-    sample.gradient.setZero(arm_.dimension());
-    sample.poles.resize(static_cast<std::size_t>(links) * pointsPerLink_ * poles_.size());
-    sample.forces.assign(links + 1, Vector2d::Zero());
-    arm_.place(q, sample.points);
+    arm_.place(q, sample.tips);
+    spreadPoints(sample);
+    addPoles(sample);
+    sample.value = 0.0;
+    for (const double value : sample.values)
+        sample.value += value;
+    gatherGradient(sample);
+}
 
-    double *pole = sample.poles.data();
-    for (int t = 0; t < links; ++t)
+/// The singular points of all links, link by link.
+void ArmRepulsion::spreadPoints(Sample &sample) const
+{
+    const std::size_t count = static_cast<std::size_t>(arm_.linkCount()) * pointsPerLink_;
+    sample.x.resize(count);
+    sample.y.resize(count);
+    std::size_t i = 0;
+    for (int t = 0; t < arm_.linkCount(); ++t)
     {
-        const Vector2d base = sample.points[arm_.links()[t].parent + 1];
-        const Vector2d along = sample.points[t + 1] - base;
-        const Vector2d across(-along.y(), along.x());  // derivative of `along` over the link's angle
-        Vector2d force = Vector2d::Zero();
-        double torque = 0.0;
-        for (int k = 1; k <= pointsPerLink_; ++k)
+        const Vector2d base = sample.tips[arm_.links()[t].parent + 1];
+        const Vector2d along = sample.tips[t + 1] - base;
+        for (const double fraction : fractions_)
         {
-            const double fraction = static_cast<double>(k) / pointsPerLink_;
-            const Vector2d point = base + fraction * along;
-            Vector2d pull = Vector2d::Zero();
-            for (const Pole &obstacle : poles_)
-            {
-                Vector2d slope;
-                const double c = obstacleFunction(obstacle, point, slope);
-                *pole++ = c;
-                const double inverse = 1.0 / c;
-                const double term = obstacle.strength * inverse;
-                value += term;
-                pull -= (term * inverse) * slope;
-            }
-            force += pull;
-            torque += fraction * pull.dot(across);
+            sample.x[i] = base.x() + fraction * along.x();
+            sample.y[i] = base.y() + fraction * along.y();
+            ++i;
         }
-        sample.gradient[first + t] = torque;
-        sample.forces[t + 1] = force;
     }
+}
 
-    sample.value = value;
+void ArmRepulsion::addPoles(Sample &sample) const
+{
+    const std::size_t count = sample.x.size();
+    sample.values.assign(count, 0.0);
+    sample.forceX.assign(count, 0.0);
+    sample.forceY.assign(count, 0.0);
+    sample.poles.resize(count * poles_.size());
+    const PoleArrays points{count, sample.x.data(), sample.y.data(), sample.values.data(), sample.forceX.data(),
+                            sample.forceY.data()};
+    double *c = sample.poles.data();
+    for (const Pole &pole : poles_)
+    {
+        const Vector2d &center = pole.center;
+        const Vector2d &inverse = pole.inverseExtents;
+        if (pole.circle)
+            addCirclePole(points, center.x(), center.y(), pole.squaredRadius, pole.strength, c);
+        else if (pole.exponent == 4.0)
+            addQuarticPole(points, center.x(), center.y(), inverse.x(), inverse.y(), pole.strength, c);
+        else
+            addPowerPole(points, center.x(), center.y(), inverse.x(), inverse.y(), pole.exponent, pole.strength, c);
+        c += count;
+    }
+}
 
-    // A link's angle also moves everything that hangs on its tip: pass the forces down the tree.
-    for (int t = links - 1; t >= 0; --t)
+/// A link's angle moves its own points and everything that hangs on its tip: forces are passed down the tree.
+void ArmRepulsion::gatherGradient(Sample &sample) const
+{
+    const int first = arm_.firstAngle();
+    sample.gradient.resize(arm_.dimension());
+    sample.carried.assign(sample.tips.size(), Vector2d::Zero());
+    for (int t = arm_.linkCount() - 1; t >= 0; --t)
     {
         const int parent = arm_.links()[t].parent + 1;
-        if (parent > 0)
+        const Vector2d along = sample.tips[t + 1] - sample.tips[parent];
+        Vector2d force = sample.carried[t + 1];
+        Vector2d lever = force;  // forces weighted by how far out on the link they act
+        const std::size_t begin = static_cast<std::size_t>(t) * pointsPerLink_;
+        for (std::size_t k = 0; k < fractions_.size(); ++k)
         {
-            const int grand = arm_.links()[parent - 1].parent + 1;
-            const Vector2d along = sample.points[parent] - sample.points[grand];
-            sample.gradient[first + parent - 1] +=
-                along.x() * sample.forces[t + 1].y() - along.y() * sample.forces[t + 1].x();
+            const Vector2d own(sample.forceX[begin + k], sample.forceY[begin + k]);
+            force += own;
+            lever += fractions_[k] * own;
         }
-        sample.forces[parent] += sample.forces[t + 1];
+        sample.gradient[first + t] = along.x() * lever.y() - along.y() * lever.x();
+        sample.carried[parent] += force;
     }
     if (arm_.slide())
-        sample.gradient[0] = arm_.slide()->axis.dot(sample.forces[0]);
+        sample.gradient[0] = arm_.slide()->axis.dot(sample.carried[0]);
 }
 
 double ArmRepulsion::value(ConfigurationRef q) const

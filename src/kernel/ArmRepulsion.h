@@ -18,9 +18,11 @@ public:
     {
         double value = 0.0;
         Eigen::VectorXd gradient;   ///< dW/dq, one entry per joint
-        std::vector<double> poles;  ///< C per link, point and obstacle, in that nesting; positive outside
-        std::vector<Eigen::Vector2d> points;  ///< workspace
-        std::vector<Eigen::Vector2d> forces;  ///< workspace
+        std::vector<double> poles;  ///< C per obstacle, link and point, in that nesting; positive outside
+
+        // Workspace: tips of the links and what hangs on them; singular points with their sums of P / C and its derivatives.
+        std::vector<Eigen::Vector2d> tips, carried;
+        std::vector<double> x, y, values, forceX, forceY;
     };
 
     /// \param strengths P per obstacle and point, in the order of the obstacles; any sign
@@ -50,8 +52,13 @@ private:
         double strength;
     };
 
+    void spreadPoints(Sample &sample) const;
+    void addPoles(Sample &sample) const;
+    void gatherGradient(Sample &sample) const;
+
     PlanarArm arm_;
     std::vector<Pole> poles_;
     int pointsPerLink_;
+    std::vector<double> fractions_;  ///< k / n
 };
 }  // namespace narrows

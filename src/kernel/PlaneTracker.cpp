@@ -53,16 +53,16 @@ public:
                 continue;
             }
             ++trace_.steps;
+            curvature_ = turn / step;
             if (crossed() && endGame())
                 return;
             std::swap(here_, there_);
             keep(here_);
             if (left())
                 return;
-            if (turn < 0.4 * options_.maxTurn)
-                step = std::min(2.0 * step, options_.maxStep);
-            else if (turn > 0.8 * options_.maxTurn)
-                step *= 0.7;
+            // As long as the next turn should be well within what is allowed, if the curve goes on bending like this.
+            const double wanted = 0.6 * options_.maxTurn / std::max(std::abs(curvature_), 1e-9);
+            step = std::min({wanted, 2.0 * step, options_.maxStep});
         }
         stop(TraceStatus::MaxSteps);
     }
@@ -97,11 +97,12 @@ private:
         return side_ * Vector2d(point.gradient.y(), -point.gradient.x()).normalized();
     }
 
-    /// Tries a step from here_ to there_.
+    /// Tries a step from here_ to there_; `turn` becomes the angle between the tangents.
     bool advance(double step, double &turn)
     {
         const Vector2d heading = tangent(here_);
-        evaluate(here_.x + step * heading, there_);
+        const Vector2d across(-heading.y(), heading.x());
+        evaluate(here_.x + step * (heading + 0.5 * step * curvature_ * across), there_);
         double corrected = 0.0;
         double limit = options_.maxCorrection * step;
         while (true)
@@ -120,8 +121,9 @@ private:
             evaluate(there_.x - update, there_);
             limit = options_.contraction * size;
         }
-        turn = std::acos(std::min(1.0, std::max(-1.0, heading.dot(tangent(there_)))));
-        return turn <= options_.maxTurn && keepsOffPoles();
+        const Vector2d after = tangent(there_);
+        turn = std::atan2(across.dot(after), heading.dot(after));
+        return std::abs(turn) <= options_.maxTurn && keepsOffPoles();
     }
 
     /// A pole is infinite on the obstacle's boundary but thin where its strength is small: a step must not jump over it.
@@ -141,8 +143,9 @@ private:
     {
         const double t = (scale_ - here_.x.x()) / (there_.x.x() - here_.x.x());
         const double guess = here_.x.y() + t * (there_.x.y() - here_.x.y());
+        const double reach = (there_.x - here_.x).norm();  // a root further off than this is another crossing's
         double s = guess;
-        for (int i = 0; i < 30; ++i)
+        for (int i = 0; i < 30 && std::abs(guess) <= reach; ++i)
         {
             evaluate(Vector2d(scale_, s), root_);
             const double update = root_.residual / root_.gradient.y();
@@ -152,8 +155,7 @@ private:
             if (std::abs(update) <= 1e-12)
                 break;
         }
-        const bool nearby = std::abs(s - guess) <= (there_.x - here_.x).norm();
-        if (nearby && std::abs(s) <= options_.window.goalTolerance)
+        if (std::abs(s - guess) <= reach && std::abs(s) <= options_.window.goalTolerance)
         {
             trace_.configurations.push_back(homotopy_.goal());
             trace_.lambdas.push_back(1.0);
@@ -200,6 +202,7 @@ private:
     Trace &trace_;
     const double scale_;  ///< |D|
     double side_ = 1.0;
+    double curvature_ = 0.0;  ///< of the last step, radians per length, positive to the left
     CurvePoint here_, there_, root_;
 };
 

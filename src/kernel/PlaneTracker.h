@@ -24,8 +24,8 @@ struct PlaneOptions
     TraceWindow window;
 };
 
-/// Follows the same curve as `traceSpheres` in its exact two-dimensional form: tangent predictor, Newton's corrector along
-/// the gradient, and a step length that grows while the curve is straight and shrinks whenever the corrector contracts
+/// Follows the same curve as `traceSpheres` in its exact two-dimensional form: predictor by tangent and the last step's
+/// curvature, Newton's corrector along the gradient, and a step length that grows while the curve is straight and shrinks whenever the corrector contracts
 /// slowly, moves far, the tangent turns, or a pole comes near. The side on which Phi is positive stays on the same hand, so
 /// that folds do not reverse the direction. At every crossing of lambda = 1 the root is refined; s = 0 is the goal.
 ///
