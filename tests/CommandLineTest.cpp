@@ -102,6 +102,14 @@ TEST_F(CommandLine, PlanWithJsonPrintsOneObjectAndNothingElse)
     EXPECT_TRUE(json.at("solution_difference").is_null());
 }
 
+TEST_F(CommandLine, PlanDrawsTheMotion)
+{
+    const std::string drawing = folder_ + "/drawing.svg";
+    const Reply reply = narrows("plan " + small + " --planner rrtconnect --svg " + drawing);
+    EXPECT_EQ(reply.code, 0) << reply.err;
+    EXPECT_THAT(readFile(drawing), HasSubstr("<svg"));
+}
+
 TEST_F(CommandLine, PlanThatDoesNotSolveIsCode1)
 {
     const Reply reply = narrows("plan " + scenarios + "hppm_case3.yaml --planner rrt --time 0.05 --json -");

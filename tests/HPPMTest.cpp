@@ -53,7 +53,7 @@ TEST_P(HPPMCases, SolvesThePapersCaseByTheScenariosRecipe)
     auto &path = *attempt.problem.pdef->getSolutionPath()->as<og::PathGeometric>();
     EXPECT_TRUE(attempt.problem.si->equalStates(path.getState(0), attempt.problem.pdef->getStartState(0)));
     EXPECT_TRUE(attempt.problem.pdef->getGoal()->isSatisfied(path.getStates().back()));
-    EXPECT_GT(attempt.hppm().measures().at("evaluations"), 0.0);
+    EXPECT_GT(attempt.hppm().measures().at("homotopy_evaluations"), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HPPMCases,

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -58,28 +59,41 @@ std::string findScript()
 }
 
 /// \return the exit code; 127 if the program cannot be started
-int run(std::vector<std::string> words)
+int run(std::vector<std::string> words, bool silent = false)
 {
     std::vector<char *> arguments;
     for (std::string &word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    if (silent)
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t child = 0;
     int status = 0;
-    if (posix_spawnp(&child, arguments.front(), nullptr, nullptr, arguments.data(), environ) != 0 ||
-        waitpid(child, &status, 0) != child)
+    const bool ran = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ) == 0 &&
+                     waitpid(child, &status, 0) == child;
+    posix_spawn_file_actions_destroy(&actions);
+    if (!ran)
         return 127;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/// The first on the path, or else the system's, whose packages another one on the path may lack.
+std::string findPython()
+{
+    for (const char *python : {"python3", "/usr/bin/python3"})
+        if (run({python, "-c", "import matplotlib, numpy, yaml"}, true) == 0)
+            return python;
+    throw std::runtime_error("drawing needs python3 with matplotlib, numpy and yaml "
+                             "(Debian: python3-matplotlib, python3-numpy, python3-yaml)");
 }
 }  // namespace
 
 void drawRecord(const std::string &scenarioFile, const std::string &recordJson, const std::string &outputFile)
 {
     const TemporaryFile record(recordJson);
-    const int code = run({"/usr/bin/env", "python3", findScript(), scenarioFile, record.path(), outputFile});
-    if (code == 127)
-        throw std::runtime_error("drawing needs python3, which was not found");
-    if (code != 0)
-        throw std::runtime_error("drawing failed (see above); it needs python3 with matplotlib, numpy and yaml");
+    if (run({findPython(), findScript(), "run", scenarioFile, record.path(), outputFile}) != 0)
+        throw std::runtime_error("drawing failed: see above");
 }
 }  // namespace narrows

@@ -157,7 +157,7 @@ void recordPlannerData(const Problem &problem, const ob::Planner &planner, Recor
     if (const auto *modelPlanner = dynamic_cast<const ModelPlanner *>(&planner))
     {
         record.measures = modelPlanner->measures();
-        const auto own = record.measures.find("evaluations");
+        const auto own = record.measures.find("homotopy_evaluations");
         if (own != record.measures.end() && record.evaluations)
             *record.evaluations += static_cast<std::int64_t>(own->second);
     }

@@ -125,7 +125,7 @@ bool HPPM::isFree(const og::PathGeometric &path) const
 
 void HPPM::measure(const Trace &trace)
 {
-    measures_["evaluations"] += static_cast<double>(trace.evaluations);
+    measures_["homotopy_evaluations"] += static_cast<double>(trace.evaluations);
     measures_[form_ == "full" ? "hyperspheres" : "steps"] += trace.steps;
     measures_["rejected_steps"] += trace.rejected;
     measures_["wrong_roots"] += trace.wrongRoots;
