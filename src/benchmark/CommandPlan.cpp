@@ -116,7 +116,7 @@ void addProblemOptions(CLI::App &command, PlanOptions &options)
         ->capture_default_str();
     command.add_option("--motion", spec.problem.motion, "how motions are checked: continuous, or a resolution")
         ->capture_default_str();
-    command.add_option("--space", spec.problem.space, "absolute, relative, absolute_line or relative_line")
+    command.add_option("--space", spec.problem.space, "scenario, absolute, relative, absolute_line or relative_line")
         ->capture_default_str();
     command.add_flag("--no-recipe", options.noRecipe, "do not use what the scenario prescribes for the planner");
 }

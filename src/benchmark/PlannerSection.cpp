@@ -186,13 +186,9 @@ private:
         if (const auto problem = tryProblem(scenario, draft.choice.space, reason))
             return acceptsParameters(draft, {problem->si, problem->model});
         fault(own ? draft.lines.at("space") : draft.line, draft.choice.planner + (own ? ".space" : ""), reason);
-        // The parameters can be judged all the same, if any space fits.
-        for (const char *other : {"absolute", "relative"})
-            if (const auto problem = tryProblem(scenario, other, reason))
-            {
-                acceptsParameters(draft, {problem->si, problem->model});
-                break;
-            }
+        // The parameters can be judged all the same: the scenario's own space always fits.
+        if (const auto problem = tryProblem(scenario, ProblemOptions().space, reason))
+            acceptsParameters(draft, {problem->si, problem->model});
         return false;
     }
 

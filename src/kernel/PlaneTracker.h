@@ -12,14 +12,14 @@ namespace narrows
 struct PlaneOptions
 {
     double firstStep = 0.02;
-    double maxStep = 0.25;
+    double maxStep = 0.35;
     double minStep = 1e-10;      ///< below this the curve is given up
     double tolerance = 1e-3;     ///< in (0, 1), part of the step; a correction shorter than this is the last. Newton's method
                                  ///< squares errors: it leaves less than maxTurn * tolerance^2 of the step
-    double contraction = 0.25;   ///< in (0, 1); each correction must be this much shorter than the one before
+    double contraction = 0.5;    ///< in (0, 1); each correction must be this much shorter than the one before
     double maxCorrection = 0.5;  ///< a step whose corrections add up to more than this part of it is rejected
-    double maxTurn = 0.5;        ///< radians; a step along which the tangent turns more is rejected
-    double poleShrink = 0.25;    ///< in (0, 1); a step on which an obstacle function falls below this part is rejected
+    double maxTurn = 0.7;        ///< radians; a step along which the tangent turns more is rejected
+    double poleShrink = 0.1;     ///< in (0, 1); a step on which an obstacle function falls below this part is rejected
     int maxSteps = 5000;         ///< accepted and rejected together
     TraceWindow window;
 };

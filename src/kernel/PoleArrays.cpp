@@ -13,17 +13,13 @@
 
 namespace narrows
 {
+// Parameters, not members of a struct: only there does "restrict" convince the compiler that the arrays do not overlap.
 NARROWS_MULTIVERSIONED
-void addCirclePole(const PoleArrays &points, double centerX, double centerY, double squaredRadius, double strength,
-                   double *c)
+static void addCircle(std::size_t count, const double *__restrict x, const double *__restrict y,
+                      double *__restrict value, double *__restrict forceX, double *__restrict forceY,
+                      double *__restrict c, double centerX, double centerY, double squaredRadius, double strength)
 {
-    const double *__restrict x = points.x;
-    const double *__restrict y = points.y;
-    double *__restrict value = points.value;
-    double *__restrict forceX = points.forceX;
-    double *__restrict forceY = points.forceY;
-    double *__restrict out = c;
-    for (std::size_t i = 0; i < points.count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
         const double dx = x[i] - centerX;
         const double dy = y[i] - centerY;
@@ -31,7 +27,7 @@ void addCirclePole(const PoleArrays &points, double centerX, double centerY, dou
         const double inverse = 1.0 / pole;
         const double term = strength * inverse;
         const double slope = -2.0 * term * inverse;
-        out[i] = pole;
+        c[i] = pole;
         value[i] += term;
         forceX[i] += slope * dx;
         forceY[i] += slope * dy;
@@ -39,16 +35,12 @@ void addCirclePole(const PoleArrays &points, double centerX, double centerY, dou
 }
 
 NARROWS_MULTIVERSIONED
-void addQuarticPole(const PoleArrays &points, double centerX, double centerY, double inverseX, double inverseY,
-                    double strength, double *c)
+static void addQuartic(std::size_t count, const double *__restrict x, const double *__restrict y,
+                       double *__restrict value, double *__restrict forceX, double *__restrict forceY,
+                       double *__restrict c, double centerX, double centerY, double inverseX, double inverseY,
+                       double strength)
 {
-    const double *__restrict x = points.x;
-    const double *__restrict y = points.y;
-    double *__restrict value = points.value;
-    double *__restrict forceX = points.forceX;
-    double *__restrict forceY = points.forceY;
-    double *__restrict out = c;
-    for (std::size_t i = 0; i < points.count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
         const double u = (x[i] - centerX) * inverseX;
         const double v = (y[i] - centerY) * inverseY;
@@ -58,11 +50,25 @@ void addQuarticPole(const PoleArrays &points, double centerX, double centerY, do
         const double inverse = 1.0 / pole;
         const double term = strength * inverse;
         const double slope = -4.0 * term * inverse;
-        out[i] = pole;
+        c[i] = pole;
         value[i] += term;
         forceX[i] += slope * uCubed * inverseX;
         forceY[i] += slope * vCubed * inverseY;
     }
+}
+
+void addCirclePole(const PoleArrays &points, double centerX, double centerY, double squaredRadius, double strength,
+                   double *c)
+{
+    addCircle(points.count, points.x, points.y, points.value, points.forceX, points.forceY, c, centerX, centerY,
+              squaredRadius, strength);
+}
+
+void addQuarticPole(const PoleArrays &points, double centerX, double centerY, double inverseX, double inverseY,
+                    double strength, double *c)
+{
+    addQuartic(points.count, points.x, points.y, points.value, points.forceX, points.forceY, c, centerX, centerY,
+               inverseX, inverseY, strength);
 }
 
 void addPowerPole(const PoleArrays &points, double centerX, double centerY, double inverseX, double inverseY,

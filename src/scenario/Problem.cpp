@@ -15,11 +15,14 @@ namespace narrows
 {
 namespace
 {
-std::shared_ptr<PlanarArmStateSpace> makeSpace(const std::string &name, const PlanarModel &model,
-                                               const JointLimits &limits)
+std::shared_ptr<PlanarArmStateSpace> makeSpace(const std::string &name, const Scenario &scenario)
 {
     using C = AngleConvention;
     using J = FreeJoints;
+    const PlanarModel &model = *scenario.model;
+    const JointLimits &limits = scenario.task.limits;
+    if (name == "scenario")
+        return std::make_shared<PlanarArmStateSpace>(model.arm, scenario.convention, J::Wrapping, limits);
     if (name == "absolute")
         return std::make_shared<PlanarArmStateSpace>(model.arm, C::Absolute, J::Wrapping, limits);
     if (name == "relative")
@@ -29,7 +32,7 @@ std::shared_ptr<PlanarArmStateSpace> makeSpace(const std::string &name, const Pl
     if (name == "relative_line")
         return std::make_shared<PlanarArmStateSpace>(model.arm, C::Relative, J::Unbounded, limits);
     throw std::invalid_argument("space \"" + name +
-                                "\" is unknown; there are absolute, relative, absolute_line and relative_line");
+                                "\" is unknown; there are scenario, absolute, relative, absolute_line and relative_line");
 }
 
 void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &motion,
@@ -73,7 +76,7 @@ Problem makeProblem(const Scenario &scenario, const ProblemOptions &options)
 {
     Problem problem;
     problem.model = scenario.model;
-    problem.space = makeSpace(options.space, *scenario.model, scenario.task.limits);
+    problem.space = makeSpace(options.space, scenario);
     problem.counts = std::make_shared<CheckCounts>();
     problem.si = std::make_shared<ob::SpaceInformation>(problem.space);
 

@@ -18,7 +18,9 @@ struct ProblemOptions
 {
     std::string checker = "analytic";    ///< analytic | fcl
     std::string motion = "continuous";   ///< continuous | OMPL's resolution as a number, e.g. "0.01"
-    std::string space = "absolute";      ///< absolute | relative (joints without limits wrap) | absolute_line | relative_line
+    /// absolute | relative (joints without limits wrap) | absolute_line | relative_line (they do not) | scenario: the
+    /// convention in which the scenario file counts its angles, wrapping
+    std::string space = "scenario";
 };
 
 /// Everything of one run, built anew for it.

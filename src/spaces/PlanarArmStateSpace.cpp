@@ -16,7 +16,7 @@ constexpr double pi = boost::math::constants::pi<double>();
 
 double wrap(double angle)
 {
-    return std::remainder(angle, 2.0 * pi);
+    return std::abs(angle) <= pi ? angle : std::remainder(angle, 2.0 * pi);
 }
 
 /// Where the tip of the last link is: what the arm is for, and two numbers however many joints there are.
