@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one question to a checker costs: the paper's three cases, states spread over the whole joint space or crowded near
-// the goal, where the narrow passages are. Arguments: case, 0 = uniform / 1 = near the goal.
+// What one question to a checker costs: the paper's three cases, states spread over the whole joint space or crowded
+// near the goal, where the narrow passages are. Arguments: case, 0 = uniform / 1 = near the goal.
 #include <benchmark/benchmark.h>
 
 #include "PaperCases.h"
@@ -15,7 +15,8 @@ constexpr int stateCount = 1024;
 struct Question
 {
     Question(const benchmark::State &run, const std::string &checker)
-      : scenario(paperCase(static_cast<int>(run.range(0)))), problem(makeProblem(scenario, {checker, "continuous", "absolute"}))
+      : scenario(paperCase(static_cast<int>(run.range(0)))),
+        problem(makeProblem(scenario, {checker, "continuous", "absolute"}))
     {
         ompl::base::ScopedState<> goal(problem.si);
         problem.space->fromAbsolute(std::get<Eigen::VectorXd>(scenario.task.goal), goal.get());

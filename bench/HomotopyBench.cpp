@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's curves in both forms, by the recipes of the scenario files, without certificates: what following the curve
-// costs. Argument: case.
+// The paper's curves in both forms, by the recipes of the scenario files, without certificates: what following the
+// curve costs. Argument: case.
 #include <benchmark/benchmark.h>
 #include <ompl/util/Console.h>
 

@@ -132,10 +132,11 @@ TEST(ArmHomotopy, PointsOfThePlaneFormLieOnTheCurve)
             h.repulsion().evaluate(trace.configurations[i], sample);
             const VectorXd offset = trace.configurations[i] - h.start() - trace.lambdas[i] * h.difference();
             const double s = offset.dot(h.direction());
-            const Eigen::Vector2d gradient = h.planeGradient(sample).cwiseProduct(
-                Eigen::Vector2d(1.0 / h.difference().norm(), 1.0));
+            const Eigen::Vector2d gradient =
+                h.planeGradient(sample).cwiseProduct(Eigen::Vector2d(1.0 / h.difference().norm(), 1.0));
             // Newton's estimate of the distance to the curve; the third case's poles bend it most.
-            EXPECT_LE(std::abs(h.planeResidual(trace.lambdas[i], s, sample)) / gradient.norm(), number < 3 ? 1e-6 : 1e-5)
+            EXPECT_LE(std::abs(h.planeResidual(trace.lambdas[i], s, sample)) / gradient.norm(),
+                      number < 3 ? 1e-6 : 1e-5)
                 << "case " << number << ", step " << i;
         }
     }
@@ -223,7 +224,10 @@ TEST(ArmHomotopy, RefusesImpossibleConstants)
 TEST(Trackers, StopWhenAsked)
 {
     const PaperRecipe recipe = paperRecipe(1);
-    const auto now = []() { return true; };
+    const auto now = []()
+    {
+        return true;
+    };
     EXPECT_EQ(traceSpheres(recipe.homotopy, spheres(recipe), now).status, TraceStatus::Interrupted);
     EXPECT_EQ(tracePlane(recipe.homotopy, plane(recipe), now).status, TraceStatus::Interrupted);
     SphereOptions few = spheres(recipe);

@@ -85,7 +85,8 @@ TEST_F(Campaign, DoesEveryPlannedRunOnce)
     const ResultStore store = ResultStore::open(folder_ + "/a.db");
     EXPECT_TRUE(store.missing(expand(experiment_)).empty());
     for (const RunRow &row : store.runs())
-        EXPECT_EQ(row.outcome, Outcome::Solved) << row.instance << " " << row.label << " " << row.run << ": " << row.reason;
+        EXPECT_EQ(row.outcome, Outcome::Solved)
+            << row.instance << " " << row.label << " " << row.run << ": " << row.reason;
     int paths = 0;
     store.eachPath([&](const PathRow &) { ++paths; });
     EXPECT_EQ(paths, 8);

@@ -7,9 +7,9 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "scenario/Scenario.h"
 
@@ -167,13 +167,15 @@ start: {angles: [0, 0]}
 goal: {angles: [90 deg, 0]}
 )");
     EXPECT_EQ(narrows("verify " + scenario + " " + file("p.json", "[[0, 0], [1.5707963267948966, 0]]")).code, 0);
-    EXPECT_EQ(narrows("verify " + scenario + " " + file("q.json", "[[0, 0], [1.5707963267948966, 1.5707963267948966]]")).code,
-              1);
+    EXPECT_EQ(
+        narrows("verify " + scenario + " " + file("q.json", "[[0, 0], [1.5707963267948966, 1.5707963267948966]]")).code,
+        1);
 }
 
 TEST_F(CommandLine, VerifyRefusesMalformedPaths)
 {
-    for (const char *text : {"", "{", "3", "{\"path\": null}", "{\"angles\": 1}", "[[0, 0]]", "[[0, 0, \"x\"]]", "[1, 2]"})
+    for (const char *text :
+         {"", "{", "3", "{\"path\": null}", "{\"angles\": 1}", "[[0, 0]]", "[[0, 0, \"x\"]]", "[1, 2]"})
     {
         const Reply reply = narrows("verify " + small + " " + file("path.json", text));
         EXPECT_EQ(reply.code, 2) << text;

@@ -117,8 +117,8 @@ TEST(ContinuousMotionValidator, FreeMotionsAreFreeWhereverOneLooks)
                 for (int i = 0; i <= 200; ++i)
                 {
                     problem.space->interpolate(from.get(), to.get(), i / 200.0, between.get());
-                    ASSERT_TRUE(problem.si->isValid(between.get())) << "case " << number << " " << space << ", trial "
-                                                                    << trial << ", at " << i / 200.0;
+                    ASSERT_TRUE(problem.si->isValid(between.get()))
+                        << "case " << number << " " << space << ", trial " << trial << ", at " << i / 200.0;
                 }
             }
             EXPECT_GT(free, 40) << "case " << number << " " << space;

@@ -55,7 +55,8 @@ protected:
 TEST(IniFile, KeepsOrderLinesAndRepeatedKeys)
 {
     std::vector<InputFault> faults;
-    const auto entries = parseIni("; comment\n[a]\nx = 1 ; one\nx=2#no comment\n\n[ b ]\n y = 1, 3; 2, 4 # rows\nz =\n", "f", faults);
+    const auto entries =
+        parseIni("; comment\n[a]\nx = 1 ; one\nx=2#no comment\n\n[ b ]\n y = 1, 3; 2, 4 # rows\nz =\n", "f", faults);
     EXPECT_TRUE(faults.empty());
     ASSERT_EQ(entries.size(), 4u);
     EXPECT_EQ(entries[0].value, "1");
@@ -108,8 +109,9 @@ biest =
     EXPECT_TRUE(experiment.simplify);
     EXPECT_EQ(experiment.warmUp, 0.0);
     EXPECT_EQ(experiment.jobs, 2);
-    EXPECT_EQ(experiment.databasePath(),
-              (std::filesystem::path(testing::TempDir()) / "results" / std::filesystem::path(path_).stem()).string() + ".db");
+    EXPECT_EQ(
+        experiment.databasePath(),
+        (std::filesystem::path(testing::TempDir()) / "results" / std::filesystem::path(path_).stem()).string() + ".db");
     ASSERT_EQ(experiment.planners.size(), 3u);
     EXPECT_EQ(experiment.planners[0].label, "rrtconnect range=0.5");
     EXPECT_EQ(experiment.planners[0].space, "relative");
@@ -122,8 +124,9 @@ biest =
 
 TEST_F(ExperimentFile, ExpandsToEveryRunOnceInBlocks)
 {
-    const Experiment experiment = read(head_ + "[benchmark]\nrun_count = 4\nchecker = analytic, fcl\n"
-                                               "[planner]\nrrtconnect =\nrrtconnect.only = gap-small\nbiest =\nsbl =\n");
+    const Experiment experiment = read(head_ +
+                                       "[benchmark]\nrun_count = 4\nchecker = analytic, fcl\n"
+                                       "[planner]\nrrtconnect =\nrrtconnect.only = gap-small\nbiest =\nsbl =\n");
     const std::vector<RunSpec> specs = expand(experiment);
     ASSERT_EQ(specs.size(), 4u * (2 * 3 + 2 * 2));
     std::set<std::uint32_t> seeds;
@@ -185,33 +188,32 @@ TEST(BadExperiments, AllFaultsAreNamedAtOnce)
 {
     using testing::StartsWith;
     const std::string path = badFolder + "many_faults.cfg";
-    EXPECT_THAT(
-        faultsOf(path),
-        testing::ElementsAre(
-            StartsWith("1: stray: stands outside of any section"),
-            StartsWith("3: problem.name: 'two words' is not one word"),
-            StartsWith("4: problem.scenario: there is no file " + badFolder + "missing.yaml"),
-            StartsWith("5: problem.colour: unknown key; this section has name, scenario"),
-            StartsWith("7: benchmark.time_limit: 'soon' is not a number >= 0.001"),
-            StartsWith("8: benchmark.mem_limit: '0' is not a number >= 1"),
-            StartsWith("9: benchmark.run_count: '2.5' is not a whole number from 1 to"),
-            StartsWith("10: benchmark.run_count: already given in line 9"),
-            StartsWith("11: benchmark.seed: '-1' is not a whole number from 0 to 4294967295"),
-            StartsWith("12: benchmark.save_paths: 'some' is none of none, shortest, all"),
-            StartsWith("13: benchmark.simplify: 'yes' is none of 0, 1"),
-            StartsWith("14: benchmark.checker: "), StartsWith("15: benchmark.motion: "),
-            StartsWith("16: benchmark.space: "), StartsWith("17: benchmark.warm_up: '-1' is not a number >= 0"),
-            StartsWith("18: benchmark.jobs: '0' is not a whole number"),
-            StartsWith("20: sweep.generate.width: scenario families are not supported by this version"),
-            StartsWith("21: sweep.width: unknown key"), StartsWith("23: weather.sun: unknown section"),
-            StartsWith("24: [planner: a section is written [name]"), StartsWith("25: no equals sign: expected"),
-            StartsWith("26: = 3: there is no key before ="), StartsWith("28: rrtconect: "),
-            StartsWith("30: sbl.range: there is no `sbl =` above it"), StartsWith("31: rrtconnect: takes no value"),
-            StartsWith("32: rrtconnect.rnage: "), StartsWith("33: rrtconnect.range: "),
-            StartsWith("34: rrtconnect.range: already given in line 33"),
-            StartsWith("35: rrtconnect.only: no scenario of this experiment is called 'nowhere'"),
-            StartsWith("36: rrtconnect.recipe: 'maybe' is neither"), StartsWith("37: rrtconnect.space: "),
-            StartsWith("39: biest: is called 'biest' like the entry in line 38")));
+    EXPECT_THAT(faultsOf(path),
+                testing::ElementsAre(
+                    StartsWith("1: stray: stands outside of any section"),
+                    StartsWith("3: problem.name: 'two words' is not one word"),
+                    StartsWith("4: problem.scenario: there is no file " + badFolder + "missing.yaml"),
+                    StartsWith("5: problem.colour: unknown key; this section has name, scenario"),
+                    StartsWith("7: benchmark.time_limit: 'soon' is not a number >= 0.001"),
+                    StartsWith("8: benchmark.mem_limit: '0' is not a number >= 1"),
+                    StartsWith("9: benchmark.run_count: '2.5' is not a whole number from 1 to"),
+                    StartsWith("10: benchmark.run_count: already given in line 9"),
+                    StartsWith("11: benchmark.seed: '-1' is not a whole number from 0 to 4294967295"),
+                    StartsWith("12: benchmark.save_paths: 'some' is none of none, shortest, all"),
+                    StartsWith("13: benchmark.simplify: 'yes' is none of 0, 1"), StartsWith("14: benchmark.checker: "),
+                    StartsWith("15: benchmark.motion: "), StartsWith("16: benchmark.space: "),
+                    StartsWith("17: benchmark.warm_up: '-1' is not a number >= 0"),
+                    StartsWith("18: benchmark.jobs: '0' is not a whole number"),
+                    StartsWith("20: sweep.generate.width: scenario families are not supported by this version"),
+                    StartsWith("21: sweep.width: unknown key"), StartsWith("23: weather.sun: unknown section"),
+                    StartsWith("24: [planner: a section is written [name]"), StartsWith("25: no equals sign: expected"),
+                    StartsWith("26: = 3: there is no key before ="), StartsWith("28: rrtconect: "),
+                    StartsWith("30: sbl.range: there is no `sbl =` above it"),
+                    StartsWith("31: rrtconnect: takes no value"), StartsWith("32: rrtconnect.rnage: "),
+                    StartsWith("33: rrtconnect.range: "), StartsWith("34: rrtconnect.range: already given in line 33"),
+                    StartsWith("35: rrtconnect.only: no scenario of this experiment is called 'nowhere'"),
+                    StartsWith("36: rrtconnect.recipe: 'maybe' is neither"), StartsWith("37: rrtconnect.space: "),
+                    StartsWith("39: biest: is called 'biest' like the entry in line 38")));
 }
 
 TEST(BadExperiments, FilesWithOneFaultEach)

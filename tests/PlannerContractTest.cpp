@@ -149,7 +149,7 @@ TEST_P(PlannerContract, ParametersSurviveClear)
     const Problem problem = seededProblem();
     const bool hasRange = makePlanner(name(), {problem.si, problem.model})->params().hasParam("range");
     const Trial trial = makeTrial(name(), hasRange ? std::map<std::string, std::string>{{"range", "0.75"}}
-                                             : std::map<std::string, std::string>{});
+                                                   : std::map<std::string, std::string>{});
     std::map<std::string, std::string> before;
     std::map<std::string, std::string> after;
     trial.planner->params().getParams(before);

@@ -36,13 +36,15 @@ std::string refusal(const Action &action)
 std::string parameterRefusal(const std::string &planner, const std::string &parameter, const std::string &value)
 {
     const Problem problem = seededProblem();
-    return refusal<ParameterError>([&]
-                                   { makePlanner(planner, {problem.si, problem.model}, {{parameter, value}}); });
+    return refusal<ParameterError>([&] { makePlanner(planner, {problem.si, problem.model}, {{parameter, value}}); });
 }
 
 TEST(PlannerFactory, IsSortedAndNamesAreUnique)
 {
-    const auto notBefore = [](const PlannerEntry &a, const PlannerEntry &b) { return a.name >= b.name; };
+    const auto notBefore = [](const PlannerEntry &a, const PlannerEntry &b)
+    {
+        return a.name >= b.name;
+    };
     EXPECT_EQ(std::adjacent_find(planners().begin(), planners().end(), notBefore), planners().end());
     for (const PlannerEntry &entry : planners())
         EXPECT_FALSE(entry.summary.empty()) << entry.name;
@@ -70,7 +72,10 @@ TEST(PlannerFactory, ShowsSamplingPlannersNothingButTheSpace)
 
 TEST(PlannerFactory, ListsNamesNearAnUnknownOne)
 {
-    const auto message = [](const std::string &name) { return refusal<std::invalid_argument>([&] { findPlanner(name); }); };
+    const auto message = [](const std::string &name)
+    {
+        return refusal<std::invalid_argument>([&] { findPlanner(name); });
+    };
     EXPECT_THAT(message("rrtconect"), AllOf(HasSubstr("\"rrtconect\""), HasSubstr("did you mean rrtconnect")));
     EXPECT_THAT(message("bitstart"), HasSubstr("bitstar"));
     EXPECT_THAT(message("zzzz"), AllOf(HasSubstr("abitstar"), HasSubstr("xxl")));

@@ -21,7 +21,8 @@ namespace narrows
 {
 inline constexpr unsigned int seed = 20;
 
-/// What planners of OMPL 1.5.2 were seen to do against the contract. The tests below fail when one of them stops doing so.
+/// What planners of OMPL 1.5.2 were seen to do against the contract. The tests below fail when one of them stops doing
+/// so.
 enum class Quirk
 {
     NeverExact,             ///< does not reach a single goal state, only comes near it
@@ -29,7 +30,8 @@ enum class Quirk
     NoSecondSolve,          ///< solve() after solve() says INVALID_START, because the start has been used up
     DoesNotEnd,             ///< draws samples without asking the termination condition until enough of them are free
     InvalidStartNotNamed,   ///< an invalid start is a timeout or UNKNOWN instead of INVALID_START
-    CrashesWithoutProblem,  ///< solve() without start, goal or any problem is a segmentation fault instead of an exception
+    CrashesWithoutProblem,  ///< solve() without start, goal or any problem is a segmentation fault instead of an
+                            ///< exception
     StartNotMarked,         ///< getPlannerData() does not say which vertex is the start
     GoalNotMarked,          ///< getPlannerData() does not say which vertex is the goal
     Leaks                   ///< never frees some states; the one quirk that no test would miss
@@ -146,9 +148,9 @@ class TwoStates : public ob::StateValidityChecker
 {
 public:
     explicit TwoStates(const Problem &problem)
-      : ob::StateValidityChecker(problem.si)
-      , start_(problem.pdef->getStartState(0))
-      , goal_(problem.pdef->getGoal()->as<ob::GoalState>()->getState())
+      : ob::StateValidityChecker(problem.si),
+        start_(problem.pdef->getStartState(0)),
+        goal_(problem.pdef->getGoal()->as<ob::GoalState>()->getState())
     {
     }
 

@@ -31,7 +31,8 @@ protected:
     {
         const std::string file = folder_ + "/test.cfg";
         std::ofstream(file) << "[problem]\nname = test\nscenario = " << NARROWS_SOURCE_DIR
-                            << "/experiments/scenarios/gap_small.yaml\n" << settings;
+                            << "/experiments/scenarios/gap_small.yaml\n"
+                            << settings;
         return readExperiment(file);
     }
 

@@ -34,7 +34,10 @@ TEST(SegmentDistance, AgreesWithSampling)
 {
     std::mt19937 generator(3);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    const auto point = [&]() { return Vector2d(uniform(generator), uniform(generator)); };
+    const auto point = [&]()
+    {
+        return Vector2d(uniform(generator), uniform(generator));
+    };
     for (int trial = 0; trial < 300; ++trial)
     {
         const Vector2d a = point(), b = point(), c = point(), d = point();
@@ -50,7 +53,7 @@ TEST(SegmentDistance, APolygonIsSolidAndItsNotchIsNot)
 {
     EXPECT_TRUE(contains(notch, {0.5, 2.5}));
     EXPECT_FALSE(contains(notch, {1.5, 2.0}));
-    EXPECT_DOUBLE_EQ(distance({0.2, 0.2}, {0.4, 0.3}, notch), 0.0);   // inside, no edge crossed
+    EXPECT_DOUBLE_EQ(distance({0.2, 0.2}, {0.4, 0.3}, notch), 0.0);    // inside, no edge crossed
     EXPECT_DOUBLE_EQ(distance({1.5, 1.25}, {1.5, 5.0}, notch), 0.25);  // down in the notch
     EXPECT_DOUBLE_EQ(distance({1.5, 0.5}, {1.5, 5.0}, notch), 0.0);
     EXPECT_DOUBLE_EQ(distance({-1.0, 2.0}, {4.0, 2.0}, notch), 0.0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include <boost/math/constants/constants.hpp>
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
+#include <boost/math/constants/constants.hpp>
 
 #include "spaces/PlanarArmStateSpace.h"
 
@@ -331,8 +331,7 @@ INSTANTIATE_TEST_SUITE_P(All, SpaceContract, testing::ValuesIn(variants()),
 TEST(PlanarArmStateSpace, RefusesLimitsOfTheOtherConvention)
 {
     JointLimits limits{AngleConvention::Relative, std::vector<std::optional<Interval>>(4)};
-    EXPECT_NO_THROW(
-        PlanarArmStateSpace(makeArm(false), AngleConvention::Absolute, FreeJoints::Wrapping, limits));
+    EXPECT_NO_THROW(PlanarArmStateSpace(makeArm(false), AngleConvention::Absolute, FreeJoints::Wrapping, limits));
     limits.angles[0] = Interval{-1.0, 1.0};
     EXPECT_THROW(PlanarArmStateSpace(makeArm(false), AngleConvention::Absolute, FreeJoints::Wrapping, limits),
                  std::invalid_argument);

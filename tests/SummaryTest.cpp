@@ -16,9 +16,10 @@ TEST(Wilson, AgreesWithScipy)
         int k, n;
         double lower, upper;
     };
-    for (const Case &c : {Case{0, 20, 0.0, 0.16112515805281935}, Case{20, 20, 0.8388748419471808, 1.0},
-                          Case{7, 20, 0.1811918241010821, 0.5671457233147637}, Case{1, 3, 0.06149194472039626, 0.7923403991979523},
-                          Case{50, 100, 0.4038315303659956, 0.5961684696340044}})
+    for (const Case &c :
+         {Case{0, 20, 0.0, 0.16112515805281935}, Case{20, 20, 0.8388748419471808, 1.0},
+          Case{7, 20, 0.1811918241010821, 0.5671457233147637}, Case{1, 3, 0.06149194472039626, 0.7923403991979523},
+          Case{50, 100, 0.4038315303659956, 0.5961684696340044}})
     {
         SCOPED_TRACE(testing::Message() << c.k << " of " << c.n);
         const Spread interval = wilson(c.k, c.n);
@@ -58,10 +59,14 @@ RunRow row(const std::string &label, Outcome outcome, std::optional<double> cpu,
 
 TEST(Summary, SortsBySuccessThenTimeAndIgnoresTimesOfUnsolvedRuns)
 {
-    std::vector<RunRow> runs{row("slow", Outcome::Solved, 0.020),    row("slow", Outcome::Solved, 0.040),
-                             row("fast", Outcome::Solved, 0.001),    row("fast", Outcome::Solved, 0.003),
-                             row("rare", Outcome::Solved, 0.0001),   row("rare", Outcome::Timeout, 2.0, "limit"),
-                             row("never", Outcome::Timeout, 2.0),    row("never", Outcome::Crash, {}, "SIGSEGV: at 1"),
+    std::vector<RunRow> runs{row("slow", Outcome::Solved, 0.020),
+                             row("slow", Outcome::Solved, 0.040),
+                             row("fast", Outcome::Solved, 0.001),
+                             row("fast", Outcome::Solved, 0.003),
+                             row("rare", Outcome::Solved, 0.0001),
+                             row("rare", Outcome::Timeout, 2.0, "limit"),
+                             row("never", Outcome::Timeout, 2.0),
+                             row("never", Outcome::Crash, {}, "SIGSEGV: at 1"),
                              row("never", Outcome::Crash, {}, "SIGSEGV: at 2")};
     runs[2].prescribed = true;
     const std::vector<SummaryRow> rows = summarize(runs);

@@ -23,9 +23,9 @@ Polygon outline(const Superellipse &shape, int count)
         const double angle = 2.0 * std::acos(-1.0) * i / count;
         const double c = std::cos(angle), s = std::sin(angle);
         const double power = 2.0 / shape.exponent;
-        polygon.vertices.push_back(
-            shape.center + Vector2d(shape.halfExtents.x() * std::copysign(std::pow(std::abs(c), power), c),
-                                    shape.halfExtents.y() * std::copysign(std::pow(std::abs(s), power), s)));
+        polygon.vertices.push_back(shape.center +
+                                   Vector2d(shape.halfExtents.x() * std::copysign(std::pow(std::abs(c), power), c),
+                                            shape.halfExtents.y() * std::copysign(std::pow(std::abs(s), power), s)));
     }
     return polygon;
 }

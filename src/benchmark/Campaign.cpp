@@ -37,7 +37,10 @@ CampaignResult runCampaign(const Experiment &experiment, const CampaignOptions &
     std::optional<Progress> progress;
     if (options.progress != nullptr)
         progress.emplace(specs.size(), *options.progress, options.terminal);
-    const auto stop = [&] { return options.stop && options.stop(); };
+    const auto stop = [&]
+    {
+        return options.stop && options.stop();
+    };
     const auto onRecord = [&](std::size_t index, const Record &record)
     {
         // The signal that asks for the end reaches the runs too; what it makes of them is not their result.

@@ -23,9 +23,9 @@ struct CampaignOptions
 
 struct CampaignResult
 {
-    std::size_t planned = 0;    ///< runs of the whole campaign
-    std::size_t existing = 0;   ///< that the database held already
-    std::size_t done = 0;       ///< that were done now
+    std::size_t planned = 0;   ///< runs of the whole campaign
+    std::size_t existing = 0;  ///< that the database held already
+    std::size_t done = 0;      ///< that were done now
     bool complete() const { return existing + done == planned; }
 };
 

@@ -43,7 +43,10 @@ int bench(BenchOptions options)
         campaign.database = experiment.databasePath();
     campaign.progress = &std::cerr;
     campaign.terminal = isatty(STDERR_FILENO) != 0;
-    campaign.stop = [] { return interrupted != 0; };
+    campaign.stop = []
+    {
+        return interrupted != 0;
+    };
     if (campaign.engine == "isolated")  // the other cannot be asked to stop, but loses nothing that is stored
     {
         std::signal(SIGINT, onSignal);
@@ -52,8 +55,8 @@ int bench(BenchOptions options)
 
     const CampaignResult result = runCampaign(experiment, campaign);
     std::cout << summarized(campaign.database, false) << std::flush;
-    std::cerr << fmt::format("{} of {} runs in {}{}\n", result.existing + result.done, result.planned, campaign.database,
-                             result.complete() ? "" : "; interrupted, --resume goes on");
+    std::cerr << fmt::format("{} of {} runs in {}{}\n", result.existing + result.done, result.planned,
+                             campaign.database, result.complete() ? "" : "; interrupted, --resume goes on");
     return result.complete() ? ExitDone : ExitNot;
 }
 }  // namespace

@@ -157,7 +157,8 @@ void addListCommands(CLI::App &program, int &exitCode)
             exitCode = ExitDone;
         });
 
-    CLI::App *show = program.add_subcommand("show", "Details of one thing: a planner's parameters, ranges and defaults");
+    CLI::App *show =
+        program.add_subcommand("show", "Details of one thing: a planner's parameters, ranges and defaults");
     show->add_option("kind", options->kind)->required()->check(CLI::IsMember({"planner"}));
     show->add_option("name", options->name, "see `narrows list planners`")->required();
     show->add_flag("--json", options->json, "as JSON");

@@ -55,7 +55,8 @@ RunSpec makeSpec(const PlanOptions &options)
 }
 
 template <typename Value>
-void printLine(const std::string &name, const std::optional<Value> &value, const std::string &unit = "", double scale = 1)
+void printLine(const std::string &name, const std::optional<Value> &value, const std::string &unit = "",
+               double scale = 1)
 {
     if (value)
         std::cout << fmt::format("  {:<16}{:.6g}{}\n", name, static_cast<double>(*value) * scale,

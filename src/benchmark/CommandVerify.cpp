@@ -68,7 +68,8 @@ void addRecheckCommand(CLI::App &program, int &exitCode)
         double step = 1e-4;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App *command = program.add_subcommand("recheck", "Look at every stored path again: verifier and dense sampling");
+    CLI::App *command =
+        program.add_subcommand("recheck", "Look at every stored path again: verifier and dense sampling");
     command->add_option("database", options->database, "what `narrows bench` wrote")->required();
     command->add_option("--step", options->step, "most that a point of the arm moves between samples")
         ->capture_default_str();

@@ -8,9 +8,9 @@ namespace narrows
 /// What the program returns to its caller.
 enum ExitCode
 {
-    ExitDone = 0,      ///< and, for plan and verify, solved and verified
-    ExitNot = 1,       ///< ran, but not solved, not verified, refuted or interrupted
-    ExitUsage = 2,     ///< bad usage or bad input file
+    ExitDone = 0,   ///< and, for plan and verify, solved and verified
+    ExitNot = 1,    ///< ran, but not solved, not verified, refuted or interrupted
+    ExitUsage = 2,  ///< bad usage or bad input file
     ExitInternal = 3
 };
 

@@ -85,8 +85,9 @@ std::string findPython()
     for (const char *python : {"python3", "/usr/bin/python3"})
         if (run({python, "-c", "import matplotlib, numpy, yaml"}, true) == 0)
             return python;
-    throw std::runtime_error("drawing needs python3 with matplotlib, numpy and yaml "
-                             "(Debian: python3-matplotlib, python3-numpy, python3-yaml)");
+    throw std::runtime_error(
+        "drawing needs python3 with matplotlib, numpy and yaml "
+        "(Debian: python3-matplotlib, python3-numpy, python3-yaml)");
 }
 }  // namespace
 

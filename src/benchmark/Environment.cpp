@@ -5,12 +5,12 @@
 #include <fstream>
 #include <thread>
 
-#include <Eigen/Core>
 #include <SQLiteCpp/Database.h>
-#include <boost/version.hpp>
 #include <ompl/config.h>
 #include <sched.h>
 #include <sys/utsname.h>
+#include <Eigen/Core>
+#include <boost/version.hpp>
 
 #include "benchmark/BuildInfo.h"
 #include "benchmark/Commit.h"
@@ -66,25 +66,24 @@ Environment captureEnvironment(int jobs)
     Environment environment;
     environment.hostname = system.nodename;
     environment.cpu = cpuModel() + ", " + cores + " cores";
-    environment.facts = {
-        {"narrows", build::version},
-        {"git_commit", build::commit},
-        {"git_dirty", build::dirty ? "1" : "0"},
-        {"compiler", build::compiler},
-        {"flags", build::flags},
-        {"cpu", cpuModel()},
-        {"cores", cores},
-        {"usable_cores", std::to_string(usableCores())},
-        {"jobs", std::to_string(jobs)},
-        {"load_average", firstLine("/proc/loadavg")},
-        {"governor", firstLine("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")},
-        {"kernel", std::string(system.sysname) + " " + system.release},
-        {"ompl", omplVersion().substr(5)},
-        {"fcl", build::fcl},
-        {"cgal", build::cgal},
-        {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-        {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-        {"sqlite", SQLite::getLibVersion()}};
+    environment.facts = {{"narrows", build::version},
+                         {"git_commit", build::commit},
+                         {"git_dirty", build::dirty ? "1" : "0"},
+                         {"compiler", build::compiler},
+                         {"flags", build::flags},
+                         {"cpu", cpuModel()},
+                         {"cores", cores},
+                         {"usable_cores", std::to_string(usableCores())},
+                         {"jobs", std::to_string(jobs)},
+                         {"load_average", firstLine("/proc/loadavg")},
+                         {"governor", firstLine("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")},
+                         {"kernel", std::string(system.sysname) + " " + system.release},
+                         {"ompl", omplVersion().substr(5)},
+                         {"fcl", build::fcl},
+                         {"cgal", build::cgal},
+                         {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+                         {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
+                         {"sqlite", SQLite::getLibVersion()}};
     return environment;
 }
 }  // namespace narrows

@@ -11,7 +11,7 @@ namespace narrows
 struct Environment
 {
     std::string hostname;
-    std::string cpu;  ///< model name and number of cores
+    std::string cpu;                                         ///< model name and number of cores
     std::vector<std::pair<std::string, std::string>> facts;  ///< commit, compiler, kernel, library versions, load, ...
 };
 

@@ -13,8 +13,8 @@ namespace
 /// The first 32 bits of the hash; never 0, which OMPL takes for "none".
 std::uint32_t runSeed(const Experiment &experiment, const RunSpec &spec)
 {
-    std::string identity = std::to_string(experiment.seed) + "|" + spec.instance + "|" + spec.planner + "|" + spec.label +
-                           "|" + spec.problem.space + "|";
+    std::string identity = std::to_string(experiment.seed) + "|" + spec.instance + "|" + spec.planner + "|" +
+                           spec.label + "|" + spec.problem.space + "|";
     for (const auto &[name, value] : spec.parameters)
         identity += name + "=" + value + ",";
     identity += "|" + std::to_string(spec.run);

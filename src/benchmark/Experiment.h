@@ -21,10 +21,10 @@ enum class SavePaths
 /// One entry of the [planner] section: a planner with its settings. The same planner may have several.
 struct PlannerChoice
 {
-    std::string planner;  ///< name in the factory
-    std::string label;    ///< how tables call it; two entries share one only if no scenario has both
-    std::string space;    ///< as in ProblemOptions
-    bool recipe = true;   ///< may it use the scenario's `methods`?
+    std::string planner;            ///< name in the factory
+    std::string label;              ///< how tables call it; two entries share one only if no scenario has both
+    std::string space;              ///< as in ProblemOptions
+    bool recipe = true;             ///< may it use the scenario's `methods`?
     std::vector<std::string> only;  ///< names of the scenarios it is for; empty: all
     std::map<std::string, std::string> parameters;
 
@@ -57,11 +57,13 @@ struct Experiment
     std::string digest() const;
 };
 
-/// \throws InputError with all faults of the file and of the scenarios it names, unknown planners and parameters included.
+/// \throws InputError with all faults of the file and of the scenarios it names, unknown planners and parameters
+/// included.
 Experiment readExperiment(const std::string &path);
 
-/// All runs in the order they shall be done: run 0 of all instances, then run 1, ... The planners of one instance and run
-/// follow each other in an order drawn from the seed, so that a drift of the machine's speed hits all of them alike.
-/// Every run's seed is a hash of all that identifies it: a run can be repeated alone, and adding a planner changes no other.
+/// All runs in the order they shall be done: run 0 of all instances, then run 1, ... The planners of one instance and
+/// run follow each other in an order drawn from the seed, so that a drift of the machine's speed hits all of them
+/// alike. Every run's seed is a hash of all that identifies it: a run can be repeated alone, and adding a planner
+/// changes no other.
 std::vector<RunSpec> expand(const Experiment &experiment);
 }  // namespace narrows

@@ -20,7 +20,10 @@ using Setting = std::function<std::string(const std::string &)>;
 
 bool isWord(const std::string &text)
 {
-    const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.'; };
+    const auto fits = [](char c)
+    {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
+    };
     return !text.empty() && std::all_of(text.begin(), text.end(), fits);
 }
 
@@ -53,7 +56,8 @@ Setting integer(Integer &target, Integer least, Integer most = std::numeric_limi
         const std::optional<double> result = toNumber(value);
         if (!result || *result < static_cast<double>(least) || *result > static_cast<double>(most) ||
             *result != static_cast<double>(static_cast<Integer>(*result)))
-            return "'" + value + "' is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+            return "'" + value + "' is not a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most);
         target = static_cast<Integer>(*result);
         return "";
     };
@@ -136,7 +140,9 @@ private:
     {
         std::vector<InputFault> sorted = faults_;
         const auto place = [this](const InputFault &fault)
-        { return fault.file == result_.file ? fault.line : std::numeric_limits<int>::max(); };
+        {
+            return fault.file == result_.file ? fault.line : std::numeric_limits<int>::max();
+        };
         std::stable_sort(sorted.begin(), sorted.end(),
                          [&](const InputFault &a, const InputFault &b) { return place(a) < place(b); });
         return sorted;
@@ -150,11 +156,14 @@ private:
                 {"benchmark.mem_limit", number(result_.memoryLimit, "1")},
                 {"benchmark.run_count", integer(result_.runCount, 1, 1000000)},
                 {"benchmark.seed", integer<std::uint32_t>(result_.seed, 0)},
-                {"benchmark.output", [this](const std::string &value) { return output_ = value, std::string(); }},
-                {"benchmark.save_paths",
-                 oneOf<SavePaths>(result_.savePaths, {{"none", SavePaths::None},
-                                                      {"shortest", SavePaths::Shortest},
-                                                      {"all", SavePaths::All}})},
+                {"benchmark.output",
+                 [this](const std::string &value)
+                 {
+                     return output_ = value, std::string();
+                 }},
+                {"benchmark.save_paths", oneOf<SavePaths>(result_.savePaths, {{"none", SavePaths::None},
+                                                                              {"shortest", SavePaths::Shortest},
+                                                                              {"all", SavePaths::All}})},
                 {"benchmark.simplify", oneOf<bool>(result_.simplify, {{"0", false}, {"1", true}})},
                 {"benchmark.checker", list(result_.checkers)},
                 {"benchmark.motion", list(result_.motions)},

@@ -41,7 +41,8 @@ std::vector<IniEntry> parseIni(const std::string &text, const std::string &file,
         else if (trimmed(content.substr(0, equals)).empty())
             faults.push_back({file, number, content, "there is no key before ="});
         else
-            entries.push_back({section, trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)), number});
+            entries.push_back(
+                {section, trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)), number});
     }
     return entries;
 }

@@ -9,12 +9,12 @@
 
 namespace narrows
 {
-/// Does many runs, each in a process of its own, at most `jobs` at a time, started in the given order. Every spec yields
-/// exactly one record, whatever the planner does: throws, aborts, segfaults, eats memory, ignores the limit, floods its
-/// output, exits silently. Call from a process without other threads.
-/// \param onRecord called in this process as runs end (any order), with the index of the spec
-/// \throws std::invalid_argument before the first run if jobs < 1 or a spec names no planner there is.
-/// \param stop polled between events; true kills the runs in flight (they get no record) and returns
-void runAll(const std::vector<RunSpec> &specs, int jobs, const std::function<void(std::size_t, const Record &)> &onRecord,
-            const std::function<bool()> &stop = {});
+/// Does many runs, each in a process of its own, at most `jobs` at a time, started in the given order. Every spec
+/// yields exactly one record, whatever the planner does: throws, aborts, segfaults, eats memory, ignores the limit,
+/// floods its output, exits silently. Call from a process without other threads. \param onRecord called in this process
+/// as runs end (any order), with the index of the spec \throws std::invalid_argument before the first run if jobs < 1
+/// or a spec names no planner there is. \param stop polled between events; true kills the runs in flight (they get no
+/// record) and returns
+void runAll(const std::vector<RunSpec> &specs, int jobs,
+            const std::function<void(std::size_t, const Record &)> &onRecord, const std::function<bool()> &stop = {});
 }  // namespace narrows

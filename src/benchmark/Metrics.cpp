@@ -29,20 +29,28 @@ Cell toCell(const std::optional<Value> &value)
 template <typename Value>
 auto of(Value Record::*member)
 {
-    return [member](const RunSpec &, const Record &record) { return toCell(record.*member); };
+    return [member](const RunSpec &, const Record &record)
+    {
+        return toCell(record.*member);
+    };
 }
 
 template <typename Value>
 auto of(Value RunSpec::*member)
 {
-    return [member](const RunSpec &spec, const Record &) { return toCell(spec.*member); };
+    return [member](const RunSpec &spec, const Record &)
+    {
+        return toCell(spec.*member);
+    };
 }
 
 template <typename Value>
 auto jsonOf(Value Record::*member)
 {
     return [member](const RunSpec &, const Record &record) -> Cell
-    { return nlohmann::json(record.*member).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); };
+    {
+        return nlohmann::json(record.*member).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    };
 }
 
 Cell megabytes(const RunSpec &, const Record &record)
@@ -79,7 +87,8 @@ const std::vector<Metric> &metrics()
         {"status", "ENUM", "what the planner returned (OMPL's PlannerStatus)", of(&Record::status)},
         {"solved", "BOOLEAN", "an exact path, accepted by the verifier", solved},
         {"approximate_solution", "BOOLEAN", "the path does not reach the goal", approximate},
-        {"solution_difference", "REAL", "how far an approximate path ends from the goal", of(&Record::solutionDifference)},
+        {"solution_difference", "REAL", "how far an approximate path ends from the goal",
+         of(&Record::solutionDifference)},
         {"solution_length", "REAL", "Euclidean length in absolute angles, rad", of(&Record::length)},
         {"solution_smoothness", "REAL", "OMPL's measure of bends, 0 is straight", of(&Record::smoothness)},
         {"solution_clearance", "REAL", "least distance to an obstacle over the whole path (verifier), length",
@@ -96,7 +105,8 @@ const std::vector<Metric> &metrics()
         {"seed", "INTEGER", "of this run: repeats it alone", of(&RunSpec::seed)},
         {"outcome", "TEXT", "how the run ended; only solved counts as solved", outcome},
         {"reason", "TEXT", "why, in the words of planner, verifier or system", of(&Record::reason)},
-        {"verified", "BOOLEAN", "the same as correct_solution, under the name of the JSON records", of(&Record::verified)},
+        {"verified", "BOOLEAN", "the same as correct_solution, under the name of the JSON records",
+         of(&Record::verified)},
         {"cpu_time", "REAL", "CPU time of solve(), all threads, s", of(&Record::cpuTime)},
         {"state_checks", "INTEGER", "states the planner asked about", of(&Record::stateChecks)},
         {"motion_checks", "INTEGER", "motions the planner asked about", of(&Record::motionChecks)},

@@ -16,7 +16,9 @@ std::string duration(double seconds)
 }
 }  // namespace
 
-Progress::Progress(std::size_t total, std::ostream &out, bool terminal) : total_(total), out_(out), terminal_(terminal) {}
+Progress::Progress(std::size_t total, std::ostream &out, bool terminal) : total_(total), out_(out), terminal_(terminal)
+{
+}
 
 void Progress::step(bool solved)
 {
@@ -43,7 +45,8 @@ void Progress::print(double elapsed)
     }
     constexpr std::size_t width = 30;
     const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));
-    out_ << "\r[" << std::string(filled, '#') << std::string(width - filled, '.') << "] " << counts << "\033[K" << std::flush;
+    out_ << "\r[" << std::string(filled, '#') << std::string(width - filled, '.') << "] " << counts << "\033[K"
+         << std::flush;
 }
 
 void Progress::finish()

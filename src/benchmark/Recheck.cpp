@@ -48,13 +48,7 @@ private:
     {
         ++states_;
         arm_.place(q, points_);
-        for (std::size_t link = 0; link < arm_.links().size(); ++link)
-        {
-            const auto base = static_cast<std::size_t>(arm_.links()[link].parent + 1);
-            if (!checker_->linkClears(points_[base], points_[link + 1], 0.0))
-                return false;
-        }
-        return true;
+        return armClears(*checker_, arm_, points_);
     }
 
     const PlanarArm &arm_;
@@ -95,8 +89,8 @@ RecheckResult recheck(const ResultStore &store, double step)
             ++(row.verified ? result.accepted : result.refused);
             result.states += sampler.states();
             if (!refutation.empty())
-                result.refutations.push_back(row.instance + ", " + row.label + ", run " + std::to_string(row.run) + ": " +
-                                             refutation);
+                result.refutations.push_back(row.instance + ", " + row.label + ", run " + std::to_string(row.run) +
+                                             ": " + refutation);
         });
     return result;
 }

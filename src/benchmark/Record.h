@@ -17,17 +17,17 @@ namespace narrows
 /// How a run ended; every run ends in exactly one (design: only Solved counts as solved).
 enum class Outcome
 {
-    Solved,         ///< exact, and the verifier accepts the path
-    Unverified,     ///< claimed exact, refused by the verifier
-    Approximate,    ///< the planner returned a path that does not reach the goal
-    NoSolution,     ///< the planner gave up before the limit
+    Solved,       ///< exact, and the verifier accepts the path
+    Unverified,   ///< claimed exact, refused by the verifier
+    Approximate,  ///< the planner returned a path that does not reach the goal
+    NoSolution,   ///< the planner gave up before the limit
     Timeout,
     Memory,
-    Crash,          ///< signal or exception
+    Crash,  ///< signal or exception
     InvalidStart,
     InvalidGoal,
-    Unsupported,    ///< this planner cannot do this problem
-    InternalError   ///< our fault
+    Unsupported,   ///< this planner cannot do this problem
+    InternalError  ///< our fault
 };
 
 /// "solved", "no_solution", ...
@@ -47,27 +47,28 @@ struct RunSpec
     bool recipe = true;                             ///< may the planner use the scenario's `methods`?
     int run = 0;
     std::uint32_t seed = 1;
-    double timeLimit = 10.0;       ///< seconds, for solve()
-    double memoryLimit = 1024.0;   ///< MB on top of what the program needs before the run
-    bool simplify = false;         ///< also time OMPL's path simplification
-    double warmUp = 0.0;           ///< seconds of untimed solving of the same problem beforehand, so that a fresh process's
-                                   ///< page faults and cold caches are not booked as planning
+    double timeLimit = 10.0;      ///< seconds, for solve()
+    double memoryLimit = 1024.0;  ///< MB on top of what the program needs before the run
+    bool simplify = false;        ///< also time OMPL's path simplification
+    double warmUp = 0.0;  ///< seconds of untimed solving of the same problem beforehand, so that a fresh process's
+                          ///< page faults and cold caches are not booked as planning
 };
 
 /// What a run left. Not measured is an empty optional (NULL, null), never 0.
 struct Record
 {
     Outcome outcome = Outcome::InternalError;
-    std::string reason;       ///< the planner's own word, the exception's text, the signal's name, the verifier's reason
+    std::string reason;  ///< the planner's own word, the exception's text, the signal's name, the verifier's reason
     std::optional<int> status;  ///< OMPL's PlannerStatus
-    bool prescribed = false;  ///< the scenario's recipe was used: knowledge that other planners do not get
+    bool prescribed = false;    ///< the scenario's recipe was used: knowledge that other planners do not get
     bool usesModel = false;
 
     // Measured: may differ between two runs of the same spec.
     std::optional<double> time;                ///< wall seconds in solve()
     std::optional<double> cpuTime;             ///< CPU seconds of all threads in solve()
     std::optional<double> simplificationTime;  ///< CPU seconds
-    std::optional<double> peakMemoryKb;        ///< growth of the process's peak resident size since before the problem was built
+    std::optional<double>
+        peakMemoryKb;  ///< growth of the process's peak resident size since before the problem was built
 
     // Everything below is the same for the same seed, for planners without threads.
     std::optional<std::int64_t> stateChecks;
@@ -76,18 +77,18 @@ struct Record
     std::optional<std::int64_t> graphStates;
     std::optional<std::int64_t> graphMotions;
     std::optional<std::int64_t> waypoints;
-    std::optional<double> length;               ///< Euclidean, absolute angles, radians
-    std::optional<double> clearance;            ///< the verifier's, over the whole path
-    std::optional<double> smoothness;           ///< OMPL's
-    std::optional<double> solutionDifference;   ///< of an approximate solution
-    std::optional<double> maxJointStep;         ///< largest change of one joint between two waypoints, radians
+    std::optional<double> length;              ///< Euclidean, absolute angles, radians
+    std::optional<double> clearance;           ///< the verifier's, over the whole path
+    std::optional<double> smoothness;          ///< OMPL's
+    std::optional<double> solutionDifference;  ///< of an approximate solution
+    std::optional<double> maxJointStep;        ///< largest change of one joint between two waypoints, radians
     std::optional<double> simplifiedLength;
     std::optional<bool> simplifiedVerified;
-    std::optional<bool> verified;               ///< empty if no exact path was claimed
-    std::map<std::string, double> measures;     ///< the planner's own (hyperspheres, rejected_steps, ...)
+    std::optional<bool> verified;                   ///< empty if no exact path was claimed
+    std::map<std::string, double> measures;         ///< the planner's own (hyperspheres, rejected_steps, ...)
     std::map<std::string, std::string> parameters;  ///< all of the planner's parameters as they were used
-    std::vector<Eigen::VectorXd> path;          ///< scenario's own convention, unwrapped; empty without a path
-    std::string output;                         ///< the last lines the run wrote to stdout and stderr
+    std::vector<Eigen::VectorXd> path;              ///< scenario's own convention, unwrapped; empty without a path
+    std::string output;                             ///< the last lines the run wrote to stdout and stderr
 };
 
 /// One JSON object with the keys of `narrows plan --json` (README), used for the terminal, the pipe and the store.

@@ -6,8 +6,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
-#include <nlohmann/json.hpp>
 #include <ompl/base/PlannerStatus.h>
+#include <nlohmann/json.hpp>
 
 #include "benchmark/Metrics.h"
 #include "benchmark/Sha256.h"
@@ -54,9 +54,10 @@ CREATE VIEW bestPlannerConfigs AS
 
 std::string runsTable()
 {
-    std::string text = "CREATE TABLE runs (id INTEGER PRIMARY KEY AUTOINCREMENT, "
-                       "experimentid INTEGER NOT NULL REFERENCES experiments(id) ON DELETE CASCADE, "
-                       "plannerid INTEGER NOT NULL REFERENCES plannerConfigs(id) ON DELETE CASCADE";
+    std::string text =
+        "CREATE TABLE runs (id INTEGER PRIMARY KEY AUTOINCREMENT, "
+        "experimentid INTEGER NOT NULL REFERENCES experiments(id) ON DELETE CASCADE, "
+        "plannerid INTEGER NOT NULL REFERENCES plannerConfigs(id) ON DELETE CASCADE";
     for (const Metric &metric : metrics())
         text += ", " + metric.name + " " + metric.type;
     return text + ", environmentid INTEGER REFERENCES environments(id), UNIQUE (experimentid, plannerid, run));";
@@ -137,7 +138,9 @@ std::string settingsText(const RunSpec &spec)
     return text;
 }
 
-ResultStore::ResultStore(std::unique_ptr<SQLite::Database> database) : database_(std::move(database)) {}
+ResultStore::ResultStore(std::unique_ptr<SQLite::Database> database) : database_(std::move(database))
+{
+}
 ResultStore::ResultStore(ResultStore &&other) noexcept = default;
 ResultStore &ResultStore::operator=(ResultStore &&other) noexcept = default;
 ResultStore::~ResultStore() = default;
@@ -180,7 +183,8 @@ ResultStore ResultStore::resume(const std::string &path, const Experiment &exper
 
 ResultStore ResultStore::open(const std::string &path)
 {
-    // Not opened read-only: the last to close a database with a write-ahead log tidies it up, which takes the right to write.
+    // Not opened read-only: the last to close a database with a write-ahead log tidies it up, which takes the right to
+    // write.
     ResultStore store(openOurs(path, SQLite::OPEN_READWRITE));
     store.database_->exec("PRAGMA query_only = ON");
     return store;
@@ -195,8 +199,9 @@ void ResultStore::insertInstances(const Experiment &experiment)
         if (!seen.insert(spec.instance).second)
             continue;
         const Scenario &scenario = *spec.scenario;
-        SQLite::Statement insert(*database_, "INSERT INTO experiments VALUES "
-                                             "(NULL, ?, 0, ?, ?, ?, ?, ?, ?, datetime('now'), ?, ?, ?, ?, ?)");
+        SQLite::Statement insert(*database_,
+                                 "INSERT INTO experiments VALUES "
+                                 "(NULL, ?, 0, ?, ?, ?, ?, ?, ?, datetime('now'), ?, ?, ?, ?, ?)");
         SQLite::bind(insert, spec.instance, spec.timeLimit, spec.memoryLimit, experiment.runCount, omplVersion(),
                      environment.hostname, environment.cpu, std::to_string(experiment.seed),
                      experiment.name + ": " + scenario.name + (scenario.source.empty() ? "" : ", " + scenario.source),

@@ -39,7 +39,8 @@ struct SummaryRow
     std::optional<double> stateChecks;
     std::optional<double> length;
     std::optional<double> clearance;
-    std::string failures;  ///< outcomes and reasons of the others, most frequent first: "timeout 3, no_solution (span) 1"
+    std::string
+        failures;  ///< outcomes and reasons of the others, most frequent first: "timeout 3, no_solution (span) 1"
 };
 
 /// By instance in the order given; within one, most solved first, then least median CPU time.

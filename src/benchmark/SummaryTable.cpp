@@ -11,13 +11,14 @@ namespace narrows
 {
 namespace
 {
-constexpr const char *header = "CPU time, evaluations, checks, length and clearance: medians over solved runs only "
-                               "[quartiles]. Success: 95 % Wilson interval.";
+constexpr const char *header =
+    "CPU time, evaluations, checks, length and clearance: medians over solved runs only "
+    "[quartiles]. Success: 95 % Wilson interval.";
 constexpr const char *footnote = "* uses the recipe prescribed for this scenario: knowledge the others do not get";
 
 using Line = std::vector<std::string>;
 
-const Line titles{"planner",      "solved", "success [95 %]", "CPU ms [quartiles]", "evaluations", "state checks",
+const Line titles{"planner",      "solved",    "success [95 %]", "CPU ms [quartiles]", "evaluations", "state checks",
                   "length (rad)", "clearance", "failures"};
 
 std::string cell(const std::optional<double> &value, const char *format)
@@ -67,9 +68,9 @@ std::string padded(const Line &line, const std::vector<std::size_t> &widths)
 {
     std::string text;
     for (std::size_t i = 0; i < line.size(); ++i)
-        text += i == 0 ? fmt::format("{:<{}}", line[i], widths[i]) : i + 1 == line.size()
-                         ? "  " + line[i]
-                         : fmt::format("  {:>{}}", line[i], widths[i]);
+        text += i == 0                 ? fmt::format("{:<{}}", line[i], widths[i])
+                : i + 1 == line.size() ? "  " + line[i]
+                                       : fmt::format("  {:>{}}", line[i], widths[i]);
     return text + "\n";
 }
 }  // namespace
@@ -115,7 +116,8 @@ std::string summaryMarkdown(const std::vector<SummaryRow> &rows)
     eachInstance(rows,
                  [&](const std::string &instance, const std::vector<Line> &lines)
                  {
-                     text += "\n### " + instance + "\n\n" + tableRow(titles) + "|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
+                     text += "\n### " + instance + "\n\n" + tableRow(titles) +
+                             "|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
                      for (const Line &line : lines)
                          text += tableRow(line);
                  });

@@ -42,7 +42,8 @@ ArmHomotopy::ArmHomotopy(ArmRepulsion repulsion, const VectorXd &start, const Ve
         throw std::invalid_argument("start or goal lies on a pole");
 }
 
-ArmHomotopy ArmHomotopy::fromRows(ArmRepulsion repulsion, const VectorXd &start, const VectorXd &goal, const MatrixXd &rows)
+ArmHomotopy ArmHomotopy::fromRows(ArmRepulsion repulsion, const VectorXd &start, const VectorXd &goal,
+                                  const MatrixXd &rows)
 {
     ArmHomotopy homotopy(std::move(repulsion), start, goal);
     const int n = homotopy.dimension();

@@ -19,8 +19,8 @@ class ArmHomotopy
 {
 public:
     /// From the paper's constants a_{k,j}, one row per equation; W joins the last one (its l_v).
-    /// \throws std::invalid_argument if the matrix is not square of the arm's dimension, not finite, or its rows but the last
-    /// are dependent; if start or goal have the wrong size; if W is not finite at one of them.
+    /// \throws std::invalid_argument if the matrix is not square of the arm's dimension, not finite, or its rows but
+    /// the last are dependent; if start or goal have the wrong size; if W is not finite at one of them.
     static ArmHomotopy fromRows(ArmRepulsion repulsion, const Eigen::VectorXd &start, const Eigen::VectorXd &goal,
                                 const Eigen::MatrixXd &rows);
 
@@ -33,7 +33,7 @@ public:
     const ArmRepulsion &repulsion() const { return repulsion_; }
     const Eigen::VectorXd &start() const { return start_; }
     const Eigen::VectorXd &goal() const { return goal_; }
-    const Eigen::MatrixXd &rows() const { return rows_; }            ///< A
+    const Eigen::MatrixXd &rows() const { return rows_; }              ///< A
     const Eigen::VectorXd &difference() const { return difference_; }  ///< D
     const Eigen::VectorXd &direction() const { return direction_; }    ///< N, a unit vector
     double strength() const { return strength_; }                      ///< c

@@ -86,8 +86,8 @@ void ArmRepulsion::addPoles(Sample &sample) const
     sample.forceX.assign(count, 0.0);
     sample.forceY.assign(count, 0.0);
     sample.poles.resize(count * poles_.size());
-    const PoleArrays points{count, sample.x.data(), sample.y.data(), sample.values.data(), sample.forceX.data(),
-                            sample.forceY.data()};
+    const PoleArrays points{
+        count, sample.x.data(), sample.y.data(), sample.values.data(), sample.forceX.data(), sample.forceY.data()};
     double *c = sample.poles.data();
     for (const Pole &pole : poles_)
     {

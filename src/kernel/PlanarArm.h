@@ -61,8 +61,9 @@ public:
     /// points[links()[i].parent + 1] to points[i + 1].
     void place(ConfigurationRef q, std::vector<Eigen::Vector2d> &points) const;
 
-    /// For the motion q + t * delta, t in [0, 1], and any point of link i: its way is at most lengths[i] = |slide| + sum of
-    /// L_j |delta_j| over the chain from the base to link i, its acceleration at most bends[i] = sum of L_j delta_j^2.
+    /// For the motion q + t * delta, t in [0, 1], and any point of link i: its way is at most lengths[i] = |slide| +
+    /// sum of L_j |delta_j| over the chain from the base to link i, its acceleration at most bends[i] = sum of L_j
+    /// delta_j^2.
     void motionBounds(ConfigurationRef delta, Eigen::VectorXd &lengths, Eigen::VectorXd &bends) const;
 
     /// Velocities of the points of `place` under that motion, where they are at the moment.

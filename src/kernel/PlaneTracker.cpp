@@ -126,7 +126,8 @@ private:
         return std::abs(turn) <= options_.maxTurn && keepsOffPoles();
     }
 
-    /// A pole is infinite on the obstacle's boundary but thin where its strength is small: a step must not jump over it.
+    /// A pole is infinite on the obstacle's boundary but thin where its strength is small: a step must not jump over
+    /// it.
     bool keepsOffPoles() const
     {
         for (std::size_t i = 0; i < there_.sample.poles.size(); ++i)
@@ -137,8 +138,8 @@ private:
 
     bool crossed() const { return (here_.x.x() - scale_) * (there_.x.x() - scale_) <= 0.0; }
 
-    /// Finds s on the crossing of lambda = 1 between here_ and there_, by the secant of Phi kept within the step's length,
-    /// and says whether the trace is over.
+    /// Finds s on the crossing of lambda = 1 between here_ and there_, by the secant of Phi kept within the step's
+    /// length, and says whether the trace is over.
     bool endGame()
     {
         const double t = (scale_ - here_.x.x()) / (there_.x.x() - here_.x.x());
@@ -172,19 +173,13 @@ private:
 
     bool left()
     {
-        const TraceWindow &window = options_.window;
-        const double lambda = here_.x.x() / scale_;
-        if (lambda < window.lambdaMin)
-            stop(TraceStatus::TurnedBack);
-        else if (lambda > window.lambdaMax)
-            stop(trace_.wrongRoots > 0 ? TraceStatus::WrongRoot : TraceStatus::Escaped);
-        else if ((here_.w - homotopy_.start()).norm() > window.maxDeviation)
-            stop(TraceStatus::Escaped);
-        else if (passedStart())
-            stop(TraceStatus::ClosedLoop);
-        else
-            return false;
-        return true;
+        const double deviation = (here_.w - homotopy_.start()).norm();
+        std::optional<TraceStatus> end = departure(options_.window, here_.x.x() / scale_, deviation, trace_.wrongRoots);
+        if (!end && passedStart())
+            end = TraceStatus::ClosedLoop;
+        if (end)
+            stop(*end);
+        return end.has_value();
     }
 
     /// Does the last step lead through the start again?
@@ -214,7 +209,8 @@ void checkOptions(const PlaneOptions &o)
         if (!(part > 0.0 && part < 1.0))
             throw std::invalid_argument("contraction, poleShrink and tolerance must lie between 0 and 1");
     if (!(o.maxCorrection > 0.0 && o.maxTurn > 0.0 && o.maxSteps > 0))
-        throw std::invalid_argument("the largest correction, the largest turn and the number of steps must be positive");
+        throw std::invalid_argument(
+            "the largest correction, the largest turn and the number of steps must be positive");
     checkWindow(o.window);
 }
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-// Two versions of each loop, one of them chosen when the program starts. Neither fuses multiplication and addition, so that
-// both give the same bits.
+// Two versions of each loop, one of them chosen when the program starts. Neither fuses multiplication and addition, so
+// that both give the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define NARROWS_MULTIVERSIONED __attribute__((target_clones("avx2", "default")))
 #else

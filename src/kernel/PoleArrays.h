@@ -5,7 +5,8 @@
 
 namespace narrows
 {
-/// Points in the plane and what poles do to them, as plain arrays of equal length, so that compilers vectorise the loops.
+/// Points in the plane and what poles do to them, as plain arrays of equal length, so that compilers vectorise the
+/// loops.
 struct PoleArrays
 {
     std::size_t count;

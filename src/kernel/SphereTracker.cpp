@@ -163,19 +163,14 @@ private:
 
     bool left(const VectorXd &z)
     {
-        const TraceWindow &window = options_.window;
-        if (z[n_] < window.lambdaMin)
-            stop(TraceStatus::TurnedBack);
-        else if (z[n_] > window.lambdaMax)
-            stop(trace_.wrongRoots > 0 ? TraceStatus::WrongRoot : TraceStatus::Escaped);
-        else if ((z.head(n_) - homotopy_.start()).norm() > window.maxDeviation)
-            stop(TraceStatus::Escaped);
-        else if (trace_.steps > 3 && (z.head(n_) - homotopy_.start()).norm() < 0.5 * options_.radius &&
-                 std::abs(z[n_]) < 0.5 * options_.radius)
-            stop(TraceStatus::ClosedLoop);
-        else
-            return false;
-        return true;
+        const double deviation = (z.head(n_) - homotopy_.start()).norm();
+        std::optional<TraceStatus> end = departure(options_.window, z[n_], deviation, trace_.wrongRoots);
+        const double nearby = 0.5 * options_.radius;
+        if (!end && trace_.steps > 3 && deviation < nearby && std::abs(z[n_]) < nearby)
+            end = TraceStatus::ClosedLoop;
+        if (end)
+            stop(*end);
+        return end.has_value();
     }
 
     const ArmHomotopy &homotopy_;

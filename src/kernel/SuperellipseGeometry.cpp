@@ -9,11 +9,11 @@ namespace narrows
 using Eigen::Vector2d;
 
 SuperellipseGeometry::SuperellipseGeometry(const Superellipse &shape)
-  : center_(shape.center)
-  , halfExtents_(shape.halfExtents)
-  , exponent_(shape.exponent)
-  , dual_(shape.exponent / (shape.exponent - 1.0))
-  , quartic_(shape.exponent == 4.0)
+  : center_(shape.center),
+    halfExtents_(shape.halfExtents),
+    exponent_(shape.exponent),
+    dual_(shape.exponent / (shape.exponent - 1.0)),
+    quartic_(shape.exponent == 4.0)
 {
 }
 
@@ -39,9 +39,12 @@ double SuperellipseGeometry::slope(const Vector2d &point, const Vector2d &direct
     const Vector2d scaled = (point - center_).cwiseQuotient(halfExtents_);
     const Vector2d step = direction.cwiseQuotient(halfExtents_);
     if (quartic_)
-        return 4.0 * (scaled.x() * scaled.x() * scaled.x() * step.x() + scaled.y() * scaled.y() * scaled.y() * step.y());
+        return 4.0 *
+               (scaled.x() * scaled.x() * scaled.x() * step.x() + scaled.y() * scaled.y() * scaled.y() * step.y());
     const auto term = [this](double s, double d)
-    { return exponent_ * std::copysign(std::pow(std::abs(s), exponent_ - 1.0), s) * d; };
+    {
+        return exponent_ * std::copysign(std::pow(std::abs(s), exponent_ - 1.0), s) * d;
+    };
     return term(scaled.x(), step.x()) + term(scaled.y(), step.y());
 }
 
@@ -94,8 +97,8 @@ double SuperellipseGeometry::distance(const Vector2d &a, const Vector2d &b) cons
 }
 
 /// Bounds on the distance of segment and shape, as soon as they decide about a threshold (negative: never) or agree.
-/// The distance to the points of a line is convex along it, so that the nearest point is where the line comes nearest to
-/// the shape, or the end on that side.
+/// The distance to the points of a line is convex along it, so that the nearest point is where the line comes nearest
+/// to the shape, or the end on that side.
 SuperellipseGeometry::Bracket SuperellipseGeometry::segmentDistance(const Vector2d &a, const Vector2d &b,
                                                                     double threshold, double tolerance) const
 {
@@ -142,7 +145,10 @@ SuperellipseGeometry::Bracket SuperellipseGeometry::pointDistance(const Vector2d
 
     // First guess: the normal where the ray from the center leaves the shape.
     const Vector2d scaled = corner.cwiseQuotient(halfExtents_);
-    const auto raised = [this](double s) { return quartic_ ? s * s * s : std::pow(s, exponent_ - 1.0); };
+    const auto raised = [this](double s)
+    {
+        return quartic_ ? s * s * s : std::pow(s, exponent_ - 1.0);
+    };
     double angle = std::atan2(raised(scaled.y()) / halfExtents_.y(), raised(scaled.x()) / halfExtents_.x());
     double low = 0.0;
     double high = std::acos(0.0);
@@ -160,7 +166,8 @@ SuperellipseGeometry::Bracket SuperellipseGeometry::pointDistance(const Vector2d
             break;
         const double turn = direction.x() * apart.y() - direction.y() * apart.x();
         (turn > 0.0 ? low : high) = angle;
-        // The witness gives the next direction; where the shape is so flat that this does not shrink the bracket, halve it.
+        // The witness gives the next direction; where the shape is so flat that this does not shrink the bracket, halve
+        // it.
         const double proposed = std::atan2(std::max(apart.y(), 0.0), std::max(apart.x(), 0.0));
         const bool inside = proposed > low && proposed < high && apart.minCoeff() > 0.0;
         angle = inside && iteration % 3 != 2 ? proposed : 0.5 * (low + high);

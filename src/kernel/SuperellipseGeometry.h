@@ -20,12 +20,12 @@ public:
     /// max of direction . (p - center) over the shape; `direction` need not be a unit vector.
     double support(const Eigen::Vector2d &direction) const;
 
-    /// Is the segment ab farther than `threshold` >= 0 from the shape? Stops as soon as bounds decide; a distance equal to
-    /// the threshold within 1e-12 of the shape's size counts as not farther.
+    /// Is the segment ab farther than `threshold` >= 0 from the shape? Stops as soon as bounds decide; a distance equal
+    /// to the threshold within 1e-12 of the shape's size counts as not farther.
     bool farther(const Eigen::Vector2d &a, const Eigen::Vector2d &b, double threshold) const;
 
-    /// Distance between the segment ab and the shape, 0 if they meet. Never overstated; at most 1e-11 of the shape's size
-    /// too small.
+    /// Distance between the segment ab and the shape, 0 if they meet. Never overstated; at most 1e-11 of the shape's
+    /// size too small.
     double distance(const Eigen::Vector2d &a, const Eigen::Vector2d &b) const;
 
 private:
@@ -37,7 +37,8 @@ private:
 
     double power(double base) const;
     Eigen::Vector2d supportPoint(const Eigen::Vector2d &direction, double &height) const;
-    Bracket segmentDistance(const Eigen::Vector2d &a, const Eigen::Vector2d &b, double threshold, double tolerance) const;
+    Bracket segmentDistance(const Eigen::Vector2d &a, const Eigen::Vector2d &b, double threshold,
+                            double tolerance) const;
     Bracket pointDistance(const Eigen::Vector2d &point, double threshold, double tolerance) const;
 
     Eigen::Vector2d center_;

@@ -41,6 +41,17 @@ void checkWindow(const TraceWindow &window)
         throw std::invalid_argument("the largest deviation and the goal tolerance must be positive");
 }
 
+std::optional<TraceStatus> departure(const TraceWindow &window, double lambda, double deviation, int wrongRoots)
+{
+    if (lambda < window.lambdaMin)
+        return TraceStatus::TurnedBack;
+    if (lambda > window.lambdaMax)
+        return wrongRoots > 0 ? TraceStatus::WrongRoot : TraceStatus::Escaped;
+    if (deviation > window.maxDeviation)
+        return TraceStatus::Escaped;
+    return std::nullopt;
+}
+
 Trace standStill(const Eigen::VectorXd &start)
 {
     Trace trace;

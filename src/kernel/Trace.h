@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,11 +46,14 @@ struct Trace
     TraceStatus status = TraceStatus::Interrupted;
     std::vector<Eigen::VectorXd> configurations;  ///< first the start; last the goal itself if it was reached
     std::vector<double> lambdas;                  ///< one per configuration
-    int steps = 0;                 ///< accepted; for the full form, the paper's number of hyperspheres
-    int rejected = 0;              ///< steps that were tried and given up
-    std::int64_t evaluations = 0;  ///< of W
-    int wrongRoots = 0;            ///< crossings of lambda = 1 elsewhere than in the goal
+    int steps = 0;                                ///< accepted; for the full form, the paper's number of hyperspheres
+    int rejected = 0;                             ///< steps that were tried and given up
+    std::int64_t evaluations = 0;                 ///< of W
+    int wrongRoots = 0;                           ///< crossings of lambda = 1 elsewhere than in the goal
 };
+
+/// How a curve has ended that is at this lambda and this far from its start; nothing while it is within the window.
+std::optional<TraceStatus> departure(const TraceWindow &window, double lambda, double deviation, int wrongRoots);
 
 /// The trace of a task whose goal is its start.
 Trace standStill(const Eigen::VectorXd &start);

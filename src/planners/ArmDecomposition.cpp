@@ -45,10 +45,10 @@ ob::RealVectorBounds workspace(const PlanarArm &arm)
 }  // namespace
 
 ArmDecomposition::ArmDecomposition(const ob::SpaceInformationPtr &si)
-  : og::XXLPositionDecomposition(workspace(armSpace(si).arm()), {slices, slices})
-  , si_(si.get())
-  , space_(&armSpace(si))
-  , sampler_(space_->allocDefaultStateSampler())
+  : og::XXLPositionDecomposition(workspace(armSpace(si).arm()), {slices, slices}),
+    si_(si.get()),
+    space_(&armSpace(si)),
+    sampler_(space_->allocDefaultStateSampler())
 {
 }
 

@@ -6,10 +6,10 @@
 namespace narrows
 {
 HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> model)
-  : ModelPlanner(si, std::move(model), "HPPM")
-  , space_(si->getStateSpace()->as<PlanarArmStateSpace>())
-  , repulsion_(Eigen::VectorXd::Constant(1, 0.01))
-  , startState_(si)
+  : ModelPlanner(si, std::move(model), "HPPM"),
+    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
+    repulsion_(Eigen::VectorXd::Constant(1, 0.01)),
+    startState_(si)
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
@@ -35,7 +35,8 @@ ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
         space_->toAbsolute(state, start_);
     }
 
-    // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when it has none left, nextGoal() does not.
+    // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when it has none left, nextGoal() does
+    // not.
     while (!ptc)
     {
         const ob::State *goal = traces_.empty() ? pis_.nextGoal(ptc) : pis_.nextGoal();
@@ -65,7 +66,10 @@ bool HPPM::attempt(const ob::State *goal, const ob::PlannerTerminationCondition 
 {
     Eigen::VectorXd goalAngles;
     space_->toAbsolute(goal, goalAngles);
-    const auto interrupt = [&ptc]() { return ptc(); };
+    const auto interrupt = [&ptc]()
+    {
+        return ptc();
+    };
     Trace trace;
     if (form_ == "full")
     {

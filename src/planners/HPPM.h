@@ -18,26 +18,28 @@ namespace narrows
 /**
    @anchor HPPM
    @par Short description
-   The homotopy path planning method for planar robotic arms: obstacles become poles of a Newton homotopy whose curve leads
-   from start to goal; the curve is followed and then certified by the motion validator. One curve per goal, no search:
-   where the recipe's curve does not reach the goal, reason() says how it ended.
+   The homotopy path planning method for planar robotic arms: obstacles become poles of a Newton homotopy whose curve
+   leads from start to goal; the curve is followed and then certified by the motion validator. One curve per goal, no
+   search: where the recipe's curve does not reach the goal, reason() says how it ended.
    @par External documentation
-   G. C. Velez-Lopez et al., A Novel Collision-Free Homotopy Path Planning for Planar Robotic Arms, Sensors 22 (2022) 4022.
-   docs/hppm.md lists the equations as implemented and the errata.
+   G. C. Velez-Lopez et al., A Novel Collision-Free Homotopy Path Planning for Planar Robotic Arms, Sensors 22 (2022)
+   4022. docs/hppm.md lists the equations as implemented and the errata.
 
    Parameters: `form` (plane: the exact two-dimensional reduction, adaptive steps; full: hyperspheres of fixed radius as
    printed), `points_per_link` n, `repulsion` P per obstacle and point (one number for all, or one per obstacle), `rows`
-   (the constants a_{k,j}) or `direction` and `strength` (N and c of the plane), `radius` of the hyperspheres, `orientation`,
-   `lambda_min`, `lambda_max`, `max_step` of the plane form. Without rows or direction, rows are the identity matrix.
+   (the constants a_{k,j}) or `direction` and `strength` (N and c of the plane), `radius` of the hyperspheres,
+   `orientation`, `lambda_min`, `lambda_max`, `max_step` of the plane form. Without rows or direction, rows are the
+   identity matrix.
 */
 class HPPM : public ModelPlanner
 {
 public:
     HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> model);
 
-    /// One attempt per goal; a later call goes on with goals not yet tried. Besides OMPL's usual statuses: ABORT when every
-    /// goal has been tried in vain (see reason(): a name of `TraceStatus`, or `collision` when the curve reached the goal
-    /// but the validator refuses it, or `polygon` when the scene has obstacles that the paper has no function for).
+    /// One attempt per goal; a later call goes on with goals not yet tried. Besides OMPL's usual statuses: ABORT when
+    /// every goal has been tried in vain (see reason(): a name of `TraceStatus`, or `collision` when the curve reached
+    /// the goal but the validator refuses it, or `polygon` when the scene has obstacles that the paper has no function
+    /// for).
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
     void clear() override;
@@ -91,7 +93,7 @@ private:
     PlaneOptions plane_;
     SphereOptions spheres_;
 
-    Eigen::VectorXd start_;           ///< empty until a start has been taken
+    Eigen::VectorXd start_;  ///< empty until a start has been taken
     ob::ScopedState<> startState_;
     std::vector<std::shared_ptr<og::PathGeometric>> traces_;  ///< one per goal that was tried
     std::vector<bool> reached_;                               ///< per trace: does it end in its goal?

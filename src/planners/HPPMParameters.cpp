@@ -27,7 +27,8 @@ void HPPM::declareParameters()
     declareParam<std::string>("direction", this, &HPPM::setDirection, &HPPM::getDirection);
     declareParam<double>("strength", this, &HPPM::setStrength, &HPPM::getStrength, "-100.:0.01:100.");
     declareParam<double>("radius", this, &HPPM::setRadius, &HPPM::getRadius, "0.0001:0.0001:1.");
-    declareParam<std::string>("orientation", this, &HPPM::setOrientation, &HPPM::getOrientation, "increasing,decreasing");
+    declareParam<std::string>("orientation", this, &HPPM::setOrientation, &HPPM::getOrientation,
+                              "increasing,decreasing");
     declareParam<double>("lambda_min", this, &HPPM::setLambdaMin, &HPPM::getLambdaMin, "-10.:0.01:-0.001");
     declareParam<double>("lambda_max", this, &HPPM::setLambdaMax, &HPPM::getLambdaMax, "1.:0.01:10.");
     declareParam<double>("max_step", this, &HPPM::setMaxStep, &HPPM::getMaxStep, "0.0001:0.0001:1.");
@@ -78,7 +79,8 @@ void HPPM::setDirection(const std::string &list)
 {
     const Eigen::VectorXd values = parseVector(list);
     const auto n = static_cast<Eigen::Index>(model_->arm.dimension());
-    require(values.size() == 0 || values.size() == n, fmt::format("direction needs {} numbers, not {}", n, values.size()));
+    require(values.size() == 0 || values.size() == n,
+            fmt::format("direction needs {} numbers, not {}", n, values.size()));
     require(values.size() == 0 || values.norm() > 0.0, "direction must not vanish");
     direction_ = values;
 }

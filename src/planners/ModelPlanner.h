@@ -22,10 +22,12 @@ public:
     {
     }
 
-    /// Why no exact solution has been found, in one word (wrong_root, turned_back, ...); empty if one has, or after clear().
+    /// Why no exact solution has been found, in one word (wrong_root, turned_back, ...); empty if one has, or after
+    /// clear().
     const std::string &reason() const { return reason_; }
 
-    /// Machine-free measures of the work since clear(), by name (homotopy_evaluations, hyperspheres, rejected_steps, ...).
+    /// Machine-free measures of the work since clear(), by name (homotopy_evaluations, hyperspheres, rejected_steps,
+    /// ...).
     const std::map<std::string, double> &measures() const { return measures_; }
 
 protected:

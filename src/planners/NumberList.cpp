@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <boost/algorithm/string.hpp>
 #include <fmt/format.h>
+#include <boost/algorithm/string.hpp>
 
 namespace narrows
 {
@@ -56,8 +56,8 @@ Eigen::MatrixXd parseMatrix(const std::string &text)
         if (i == 0)
             matrix.resize(static_cast<Eigen::Index>(lines.size()), row.size());
         if (row.size() != matrix.cols() || row.size() == 0)
-            throw std::invalid_argument(fmt::format("row {} has {} numbers, the first has {}", i + 1, row.size(),
-                                                    matrix.cols()));
+            throw std::invalid_argument(
+                fmt::format("row {} has {} numbers, the first has {}", i + 1, row.size(), matrix.cols()));
         matrix.row(static_cast<Eigen::Index>(i)) = row.transpose();
     }
     return matrix;

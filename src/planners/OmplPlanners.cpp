@@ -54,7 +54,10 @@ PlannerEntry entry(const char *name, const char *summary)
     PlannerEntry result;
     result.name = name;
     result.summary = summary;
-    result.make = [](const PlannerContext &context) { return std::make_shared<P>(context.si); };
+    result.make = [](const PlannerContext &context)
+    {
+        return std::make_shared<P>(context.si);
+    };
     return result;
 }
 
@@ -70,19 +73,25 @@ PlannerEntry lazyLbtrrt()
 {
     PlannerEntry result = entry<og::LazyLBTRRT>("lazylbtrrt", "LBTRRT that checks motions lazily");
     result.unsupported = [](const PlannerContext &)
-    { return "aborts the process once a motion from the start is not free (an assertion in OMPL's LPAstarOnGraph.h)"; };
+    {
+        return "aborts the process once a motion from the start is not free (an assertion in OMPL's LPAstarOnGraph.h)";
+    };
     return result;
 }
 
 PlannerEntry xxl()
 {
-    PlannerEntry result = entry<og::XXL>("xxl", "searches a grid over the tip's position and samples joints within its cells");
+    PlannerEntry result =
+        entry<og::XXL>("xxl", "searches a grid over the tip's position and samples joints within its cells");
     result.make = [](const PlannerContext &context)
-    { return std::make_shared<og::XXL>(context.si, std::make_shared<ArmDecomposition>(context.si)); };
+    {
+        return std::make_shared<og::XXL>(context.si, std::make_shared<ArmDecomposition>(context.si));
+    };
     result.unsupported = [](const PlannerContext &context)
     {
         const bool known = dynamic_cast<const PlanarArmStateSpace *>(context.si->getStateSpace().get()) != nullptr;
-        return known ? std::string{} : std::string{"needs a decomposition of the workspace; there is one for planar arms"};
+        return known ? std::string{}
+                     : std::string{"needs a decomposition of the workspace; there is one for planar arms"};
     };
     return result;
 }
@@ -130,7 +139,8 @@ std::vector<PlannerEntry> omplPlanners()
         entry<og::RLRT>("rlrt", "tree without a range limit: goes as far as it is free"),
         entry<og::BiRLRT>("birlrt", "two-tree RLRT"),
         xxl(),
-        threaded<og::AnytimePathShortening>("anytimepathshortening", "several planners in threads, their paths shortened and mixed"),
+        threaded<og::AnytimePathShortening>("anytimepathshortening",
+                                            "several planners in threads, their paths shortened and mixed"),
     };
 }
 }  // namespace narrows

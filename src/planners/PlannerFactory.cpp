@@ -35,9 +35,14 @@ PlannerEntry hppm()
     result.name = "hppm";
     result.summary = "follows the curve of a homotopy whose poles are the obstacles (HPPM-PRA)";
     result.usesModel = true;
-    result.make = [](const PlannerContext &context) { return std::make_shared<HPPM>(context.si, context.model); };
+    result.make = [](const PlannerContext &context)
+    {
+        return std::make_shared<HPPM>(context.si, context.model);
+    };
     result.unsupported = [](const PlannerContext &context)
-    { return ArmRepulsion::supports(*context.model) ? "" : "the paper has no obstacle function for polygons"; };
+    {
+        return ArmRepulsion::supports(*context.model) ? "" : "the paper has no obstacle function for polygons";
+    };
     return result;
 }
 
@@ -57,7 +62,8 @@ std::vector<PlannerEntry> &table()
 
 const PlannerEntry *find(const std::string &name)
 {
-    const auto found = std::find_if(table().begin(), table().end(), [&](const PlannerEntry &e) { return e.name == name; });
+    const auto found =
+        std::find_if(table().begin(), table().end(), [&](const PlannerEntry &e) { return e.name == name; });
     return found == table().end() ? nullptr : &*found;
 }
 
@@ -90,7 +96,8 @@ bool readsBool(const std::string &text)
     return std::find(words.begin(), words.end(), text) != words.end();
 }
 
-/// What a parameter wants, if the text is not of that kind. OMPL itself reads "no" as true, "3x" as 3 and -1 as 4294967295.
+/// What a parameter wants, if the text is not of that kind. OMPL itself reads "no" as true, "3x" as 3 and -1 as
+/// 4294967295.
 std::string kindMissed(const ob::GenericParam &parameter, const std::string &text)
 {
     if (isA<bool>(parameter))
@@ -132,7 +139,8 @@ void setParameters(ob::Planner &planner, const std::string &name, const std::map
         {
             std::vector<std::string> known;
             planner.params().getParamNames(known);
-            throw ParameterError(name + " has no parameter \"" + key + "\"; it has " + (known.empty() ? "none" : join(known)));
+            throw ParameterError(name + " has no parameter \"" + key + "\"; it has " +
+                                 (known.empty() ? "none" : join(known)));
         }
         const std::string reason = setParameter(planner.params(), key, text);
         if (reason.empty())

@@ -50,8 +50,8 @@ public:
 };
 
 /// Makes a planner and sets its parameters (texts, as OMPL's ParamSet takes them).
-/// \throws std::invalid_argument for an unknown name; ParameterError naming the parameter if the planner has none of that
-/// name or refuses the value.
+/// \throws std::invalid_argument for an unknown name; ParameterError naming the parameter if the planner has none of
+/// that name or refuses the value.
 ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &context,
                            const std::map<std::string, std::string> &parameters = {});
 }  // namespace narrows

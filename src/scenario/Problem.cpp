@@ -31,8 +31,8 @@ std::shared_ptr<PlanarArmStateSpace> makeSpace(const std::string &name, const Sc
         return std::make_shared<PlanarArmStateSpace>(model.arm, C::Absolute, J::Unbounded, limits);
     if (name == "relative_line")
         return std::make_shared<PlanarArmStateSpace>(model.arm, C::Relative, J::Unbounded, limits);
-    throw std::invalid_argument("space \"" + name +
-                                "\" is unknown; there are scenario, absolute, relative, absolute_line and relative_line");
+    throw std::invalid_argument(
+        "space \"" + name + "\" is unknown; there are scenario, absolute, relative, absolute_line and relative_line");
 }
 
 void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &motion,

@@ -16,8 +16,8 @@ namespace narrows
 /// How a scenario is put before a planner. The texts are those of experiment files.
 struct ProblemOptions
 {
-    std::string checker = "analytic";    ///< analytic | fcl
-    std::string motion = "continuous";   ///< continuous | OMPL's resolution as a number, e.g. "0.01"
+    std::string checker = "analytic";   ///< analytic | fcl
+    std::string motion = "continuous";  ///< continuous | OMPL's resolution as a number, e.g. "0.01"
     /// absolute | relative (joints without limits wrap) | absolute_line | relative_line (they do not) | scenario: the
     /// convention in which the scenario file counts its angles, wrapping
     std::string space = "scenario";
@@ -33,7 +33,7 @@ struct Problem
     std::shared_ptr<CheckCounts> counts;
 };
 
-/// \throws std::invalid_argument if an option has no such value or does not fit the scenario (joint limits are kept only
-/// by a space in their own convention).
+/// \throws std::invalid_argument if an option has no such value or does not fit the scenario (joint limits are kept
+/// only by a space in their own convention).
 Problem makeProblem(const Scenario &scenario, const ProblemOptions &options = {});
 }  // namespace narrows

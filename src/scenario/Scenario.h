@@ -41,11 +41,11 @@ struct Scenario
     std::string source;  ///< where the problem comes from; may be empty
     std::string text;    ///< the file as it was read
     std::shared_ptr<const PlanarModel> model;
-    PlanarTask task;             ///< absolute angles, whatever the file uses
+    PlanarTask task;                                         ///< absolute angles, whatever the file uses
     AngleConvention convention = AngleConvention::Absolute;  ///< how the file writes its angles
     /// methods.<planner>.<parameter> as parameter texts for `makePlanner`: what a paper prescribes for its own method.
-    /// For hppm: `repulsion` comma-separated in the order of the obstacles, `rows` with "; " between rows and ", " within,
-    /// `direction` comma-separated, everything else as written.
+    /// For hppm: `repulsion` comma-separated in the order of the obstacles, `rows` with "; " between rows and ", "
+    /// within, `direction` comma-separated, everything else as written.
     std::map<std::string, std::map<std::string, std::string>> methods;
 };
 

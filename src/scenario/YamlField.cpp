@@ -82,13 +82,14 @@ std::optional<std::string> Field::oneOf(const std::vector<std::string> &words) c
     return std::nullopt;
 }
 
-std::optional<double> Field::number() const
+/// A value that was read by `parse`, if it is a number that can be calculated with; else the fault is noted.
+std::optional<double> Field::read(std::optional<double> (*parse)(std::string_view), const char *what) const
 {
     if (!given_)
         return std::nullopt;
-    const std::optional<double> value = node_.IsScalar() ? parseNumber(node_.Scalar()) : std::nullopt;
+    const std::optional<double> value = node_.IsScalar() ? parse(node_.Scalar()) : std::nullopt;
     if (!value)
-        fault(fmt::format("must be a number, not {}", describe(node_)));
+        fault(fmt::format("must be {}, not {}", what, describe(node_)));
     else if (!std::isfinite(*value))
         fault(fmt::format("must be finite, not {}", describe(node_)));
     else if (std::abs(*value) > largestNumber)
@@ -96,6 +97,11 @@ std::optional<double> Field::number() const
     else
         return value;
     return std::nullopt;
+}
+
+std::optional<double> Field::number() const
+{
+    return read(parseNumber, "a number");
 }
 
 std::optional<double> Field::positive() const
@@ -120,18 +126,7 @@ std::optional<int> Field::integer(int lowest, int highest) const
 
 std::optional<double> Field::angle() const
 {
-    if (!given_)
-        return std::nullopt;
-    const std::optional<double> value = node_.IsScalar() ? parseAngle(node_.Scalar()) : std::nullopt;
-    if (!value)
-        fault(fmt::format("must be an angle (radians, or as in '42.5 deg'), not {}", describe(node_)));
-    else if (!std::isfinite(*value))
-        fault(fmt::format("must be finite, not {}", describe(node_)));
-    else if (std::abs(*value) > largestNumber)
-        fault(fmt::format("must be at most {} in size, not {}", largestNumber, describe(node_)));
-    else
-        return value;
-    return std::nullopt;
+    return read(parseAngle, "an angle (radians, or as in '42.5 deg')");
 }
 
 std::optional<Eigen::Vector2d> Field::point() const

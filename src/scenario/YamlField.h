@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <yaml-cpp/yaml.h>
@@ -60,7 +61,8 @@ public:
     std::vector<Field> items(std::size_t lowest, std::size_t highest) const;
 
 private:
-    std::optional<Interval> ordered(std::optional<double> (Field::*read)() const) const;
+    std::optional<double> read(std::optional<double> (*parse)(std::string_view), const char *what) const;
+    std::optional<Interval> ordered(std::optional<double> (Field::*reader)() const) const;
 
     FaultList *faults_;
     YAML::Node node_;

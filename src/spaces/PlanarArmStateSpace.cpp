@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include <boost/math/constants/constants.hpp>
 #include <ompl/base/ProjectionEvaluator.h>
+#include <boost/math/constants/constants.hpp>
 
 namespace narrows
 {
@@ -54,8 +54,9 @@ public:
 
     void sampleUniformNear(ob::State *state, const ob::State *near, double distance) override
     {
-        // A box within the ball of that radius, as OMPL's compound spaces do it: EST, BiEST and STRIDE count and connect
-        // neighbours by distance, and with the box around the ball hardly any sample of many joints would be one.
+        // A box within the ball of that radius, as OMPL's compound spaces do it: EST, BiEST and STRIDE count and
+        // connect neighbours by distance, and with the box around the ball hardly any sample of many joints would be
+        // one.
         const double reach = distance / std::sqrt(static_cast<double>(arm_->getDimension()));
         sample(state, near, [&](double value) { return rng_.uniformReal(value - reach, value + reach); });
     }
@@ -82,10 +83,10 @@ private:
 
 PlanarArmStateSpace::PlanarArmStateSpace(const PlanarArm &arm, AngleConvention convention, FreeJoints freeJoints,
                                          const JointLimits &limits)
-  : ob::RealVectorStateSpace(static_cast<unsigned int>(arm.dimension()))
-  , arm_(arm)
-  , convention_(convention)
-  , wraps_(arm.dimension(), false)
+  : ob::RealVectorStateSpace(static_cast<unsigned int>(arm.dimension())),
+    arm_(arm),
+    convention_(convention),
+    wraps_(arm.dimension(), false)
 {
     setName("PlanarArm" + getName());
     ob::RealVectorBounds box(getDimension());

@@ -18,8 +18,8 @@ enum class FreeJoints
     Unbounded  ///< a line: winding counts, motions go the way the numbers say; sampled within [-pi, pi]
 };
 
-/// Joint space of a planar arm. States are `RealVectorStateSpace::StateType`: [slide,] one angle per link in the space's
-/// own convention. Joints with limits are bounded; the others do as `FreeJoints` says.
+/// Joint space of a planar arm. States are `RealVectorStateSpace::StateType`: [slide,] one angle per link in the
+/// space's own convention. Joints with limits are bounded; the others do as `FreeJoints` says.
 ///
 /// Distance is Euclidean over the joint differences (wrapped where joints wrap). The default projection is the tip of
 /// the last link, which the KPIECE family, EST, SBL, PDST and STRIDE need.
@@ -27,7 +27,8 @@ class PlanarArmStateSpace : public ob::RealVectorStateSpace
 {
 public:
     /// \throws std::invalid_argument if there are limits in the other convention: they would not be a box here.
-    PlanarArmStateSpace(const PlanarArm &arm, AngleConvention convention, FreeJoints freeJoints, const JointLimits &limits);
+    PlanarArmStateSpace(const PlanarArm &arm, AngleConvention convention, FreeJoints freeJoints,
+                        const JointLimits &limits);
 
     const PlanarArm &arm() const { return arm_; }
     AngleConvention convention() const { return convention_; }

@@ -6,10 +6,10 @@
 namespace narrows
 {
 TipGoalRegion::TipGoalRegion(const ob::SpaceInformationPtr &si, const TipGoal &goal)
-  : ob::GoalSampleableRegion(si)
-  , space_(si->getStateSpace()->as<PlanarArmStateSpace>())
-  , goal_(goal)
-  , sampler_(si->allocStateSampler())
+  : ob::GoalSampleableRegion(si),
+    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
+    goal_(goal),
+    sampler_(si->allocStateSampler())
 {
     threshold_ = goal.tolerance;
 }

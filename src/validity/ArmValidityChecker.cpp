@@ -22,10 +22,10 @@ const std::vector<Eigen::Vector2d> &place(const PlanarArmStateSpace &space, cons
 
 ArmValidityChecker::ArmValidityChecker(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarChecker> checker,
                                        std::shared_ptr<CheckCounts> counts)
-  : ob::StateValidityChecker(si)
-  , space_(si->getStateSpace()->as<PlanarArmStateSpace>())
-  , checker_(std::move(checker))
-  , counts_(std::move(counts))
+  : ob::StateValidityChecker(si),
+    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
+    checker_(std::move(checker)),
+    counts_(std::move(counts))
 {
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
 }

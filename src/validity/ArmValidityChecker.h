@@ -11,8 +11,8 @@
 
 namespace narrows
 {
-/// Says whether a state of a `PlanarArmStateSpace` is within its limits and free, by any `PlanarChecker`. Counts what it
-/// is asked. Safe to share between threads.
+/// Says whether a state of a `PlanarArmStateSpace` is within its limits and free, by any `PlanarChecker`. Counts what
+/// it is asked. Safe to share between threads.
 class ArmValidityChecker : public ob::StateValidityChecker
 {
 public:

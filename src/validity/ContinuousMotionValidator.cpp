@@ -23,7 +23,8 @@ public:
     std::uint64_t placements() const { return placements_; }
 
     /// Level by level, because a collision is found soonest where nothing has been looked at yet. In the open the first
-    /// look settles the whole motion, ends included; a look of its own at the end was measured to cost more than it saves.
+    /// look settles the whole motion, ends included; a look of its own at the end was measured to cost more than it
+    /// saves.
     bool isFree()
     {
         links_.resize(bounds_.size());
@@ -72,9 +73,9 @@ private:
         ++placements_;
     }
 
-    /// How far any point of a link can get from where it is now, within `half` of the motion's parameter either way: at most
-    /// the bound on its way, and at most its speed now times `half` plus what its acceleration can add. A link's points
-    /// move no faster than the faster of its ends.
+    /// How far any point of a link can get from where it is now, within `half` of the motion's parameter either way: at
+    /// most the bound on its way, and at most its speed now times `half` plus what its acceleration can add. A link's
+    /// points move no faster than the faster of its ends.
     double travel(int link, double half) const
     {
         const Eigen::Vector2d &base = velocities_[validator_->space_->arm().links()[link].parent + 1];
@@ -82,8 +83,9 @@ private:
         return half * std::min(bounds_[link], speed + 0.5 * half * bends_[link]);
     }
 
-    /// Certifies what can be certified of a stretch. With `divide`, its halves are queued for the other links and only a
-    /// link that touches something is a failure; without, every link that is not certified is one. By value: pending_ grows.
+    /// Certifies what can be certified of a stretch. With `divide`, its halves are queued for the other links and only
+    /// a link that touches something is a failure; without, every link that is not certified is one. By value: pending_
+    /// grows.
     bool examine(const Stretch stretch, bool divide)
     {
         const double half = 0.5 * (stretch.end - stretch.begin);
@@ -123,11 +125,11 @@ private:
 ContinuousMotionValidator::ContinuousMotionValidator(const ob::SpaceInformationPtr &si,
                                                      std::shared_ptr<const PlanarChecker> checker,
                                                      std::shared_ptr<CheckCounts> counts)
-  : ob::MotionValidator(si)
-  , space_(si->getStateSpace()->as<PlanarArmStateSpace>())
-  , checker_(std::move(checker))
-  , counts_(std::move(counts))
-  , resolution_(1e-9 * space_->arm().reach())
+  : ob::MotionValidator(si),
+    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
+    checker_(std::move(checker)),
+    counts_(std::move(counts)),
+    resolution_(1e-9 * space_->arm().reach())
 {
 }
 

@@ -11,9 +11,9 @@
 
 namespace narrows
 {
-/// Decides motions exactly, without a step size: a stretch of a motion is free when, at its middle, every link is further
-/// from all obstacles than any of its points can travel to either end, by their speed there and a bound on their
-/// acceleration; otherwise the stretch is halved, widest first.
+/// Decides motions exactly, without a step size: a stretch of a motion is free when, at its middle, every link is
+/// further from all obstacles than any of its points can travel to either end, by their speed there and a bound on
+/// their acceleration; otherwise the stretch is halved, widest first.
 ///
 /// Motions that come closer than 1e-9 of the arm's reach to an obstacle are refused: they cannot be told from touching.
 /// Safe to share between threads.

@@ -12,7 +12,8 @@
 namespace narrows
 {
 /// Answers, for one link at a time, whether it keeps away from all obstacles. Everything that says "free" in this
-/// project (states and motions, for every planner) goes through this interface. Immutable, so that threads may share one.
+/// project (states and motions, for every planner) goes through this interface. Immutable, so that threads may share
+/// one.
 class PlanarChecker
 {
 public:
@@ -36,10 +37,10 @@ double armClearance(const PlanarChecker &checker, const PlanarArm &arm, const st
 /// Closed-form geometry; the default.
 std::unique_ptr<PlanarChecker> makeAnalyticChecker(const PlanarModel &model);
 
-/// Flexible Collision Library: capsules against balls (circles), boxes and convex extrusions. It errs on the safe side: by
-/// 2e-6 length units everywhere (1e-5 in linkClearance()), FCL's own resolution, and by less than 1e-3 of the smaller half
-/// extent at superellipses, which circumscribed polygons stand for.
-/// \throws std::invalid_argument if a polygon crosses itself.
+/// Flexible Collision Library: capsules against balls (circles), boxes and convex extrusions. It errs on the safe side:
+/// by 2e-6 length units everywhere (1e-5 in linkClearance()), FCL's own resolution, and by less than 1e-3 of the
+/// smaller half extent at superellipses, which circumscribed polygons stand for. \throws std::invalid_argument if a
+/// polygon crosses itself.
 std::unique_ptr<PlanarChecker> makeFclChecker(const PlanarModel &model);
 
 /// Makes a checker by its name, "analytic" or "fcl".
