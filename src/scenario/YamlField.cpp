@@ -141,13 +141,13 @@ std::optional<Eigen::Vector2d> Field::point() const
     return Eigen::Vector2d(*x, *y);
 }
 
-std::optional<Interval> Field::ordered(std::optional<double> (Field::*read)() const) const
+std::optional<Interval> Field::ordered(std::optional<double> (Field::*reader)() const) const
 {
     const std::vector<Field> ends = items(2, 2);
     if (ends.empty())
         return std::nullopt;
-    const std::optional<double> lower = (ends[0].*read)();
-    const std::optional<double> upper = (ends[1].*read)();
+    const std::optional<double> lower = (ends[0].*reader)();
+    const std::optional<double> upper = (ends[1].*reader)();
     if (!lower || !upper)
         return std::nullopt;
     if (*lower < *upper)
