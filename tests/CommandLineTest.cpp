@@ -198,6 +198,9 @@ TEST_F(CommandLine, BenchSummaryAndRecheckWorkTogether)
     EXPECT_EQ(before, first.out);
     EXPECT_EQ(narrows(bench).code, 2);
     EXPECT_EQ(narrows(bench + " --resume").code, 0);
+    const std::string fresh = folder_ + "/fresh.db";
+    EXPECT_EQ(narrows("bench " + experiment() + " --resume --db " + fresh).code, 0);  // nothing to go on with: begin
+    EXPECT_EQ(narrows("summary " + fresh).code, 0);
     EXPECT_EQ(narrows("summary " + database).out, before);
     EXPECT_THAT(narrows("summary --markdown " + database).out, HasSubstr("| rrtconnect | 2/2 |"));
 

@@ -23,8 +23,10 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
 CampaignResult runCampaign(const Experiment &experiment, const CampaignOptions &options)
 {
     const std::vector<RunSpec> all = expand(experiment);
-    ResultStore store = options.resume ? ResultStore::resume(options.database, experiment, options.engine)
-                                       : ResultStore::create(options.database, experiment, options.engine);
+    // A campaign that was killed before it had a database is finished by doing all of it.
+    const bool begun = options.resume && std::filesystem::exists(options.database);
+    ResultStore store = begun ? ResultStore::resume(options.database, experiment, options.engine)
+                              : ResultStore::create(options.database, experiment, options.engine);
     const std::vector<RunSpec> specs = store.missing(all);
     const int jobs = options.jobs > 0 ? options.jobs : experiment.jobs;
 

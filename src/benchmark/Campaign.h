@@ -13,7 +13,7 @@ namespace narrows
 struct CampaignOptions
 {
     std::string database;              ///< path of the file
-    bool resume = false;               ///< go on with an existing database
+    bool resume = false;               ///< do what an existing database lacks; begin one if there is none
     std::string engine = "isolated";   ///< isolated: a process per run | ompl: ompl::tools::Benchmark, in process
     int jobs = 0;                      ///< runs at a time; 0: as the experiment says
     std::function<bool()> stop;        ///< true ends the campaign early; what is done stays. OMPL's engine does not ask
