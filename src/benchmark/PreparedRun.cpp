@@ -4,9 +4,9 @@
 #include <limits>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
-#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "benchmark/QuietOmpl.h"
 #include "planners/PlannerFactory.h"
 
 namespace narrows
@@ -40,10 +40,8 @@ Record announce(const RunSpec &spec)
 void seedOmpl(std::uint32_t seed)
 {
     // OMPL warns that a second seed "will not lead to deterministic sampling"; it does for all that is built after it.
-    const ompl::msg::LogLevel level = ompl::msg::getLogLevel();
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    const QuietOmpl quiet(ompl::msg::LOG_NONE);
     ompl::RNG::setSeed(seed == 0 ? std::numeric_limits<std::uint32_t>::max() : seed);
-    ompl::msg::setLogLevel(level);
 }
 
 ob::OptimizationObjectivePtr firstSolution(const ob::SpaceInformationPtr &si)

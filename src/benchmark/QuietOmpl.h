@@ -5,12 +5,12 @@
 
 namespace narrows
 {
-/// While it lives, OMPL writes warnings and errors only. Its planners announce what they do from within solve(), which
-/// would be booked as planning.
+/// While it lives, OMPL writes nothing below a level: by default warnings and errors only. Its planners announce what
+/// they do from within solve(), which would be booked as planning.
 class QuietOmpl
 {
 public:
-    QuietOmpl() { ompl::msg::setLogLevel(ompl::msg::LOG_WARN); }
+    explicit QuietOmpl(ompl::msg::LogLevel level = ompl::msg::LOG_WARN) { ompl::msg::setLogLevel(level); }
     ~QuietOmpl() { ompl::msg::setLogLevel(level_); }
     QuietOmpl(const QuietOmpl &) = delete;
     QuietOmpl &operator=(const QuietOmpl &) = delete;

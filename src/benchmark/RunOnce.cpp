@@ -24,6 +24,8 @@ constexpr double simplificationLimit = 1.0;  // seconds; OMPL's simplifier is do
 /// a program that has been planning for a while.
 void warmUp(const RunSpec &spec)
 {
+    // How often it says something depends on the clock; what a run says must not.
+    const QuietOmpl silent(ompl::msg::LOG_NONE);
     constexpr std::uint32_t otherSeeds = 0x9e3779b9;
     const ob::PlannerTerminationCondition over = ob::timedPlannerTerminationCondition(spec.warmUp);
     try
