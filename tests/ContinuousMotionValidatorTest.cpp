@@ -67,7 +67,7 @@ TEST(ContinuousMotionValidator, DecidesTightPassagesExactly)
     EXPECT_FALSE(touching.si->checkMotion(at(touching, -1.0).get(), at(touching, 1.0).get()));
 }
 
-TEST(ContinuousMotionValidator, RefusesMotionsThatEndInCollisionOrOutOfBounds)
+TEST(ContinuousMotionValidator, RefusesMotionsThatEndInCollision)
 {
     const Problem problem = oneLink({needle});
     EXPECT_FALSE(problem.si->checkMotion(at(problem, 1.0).get(), at(problem, 0.0).get()));

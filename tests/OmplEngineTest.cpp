@@ -111,8 +111,7 @@ TEST(OmplEngine, EveryRunLeavesARecordWithOurVerdict)
 TEST(OmplEngine, DebiansStatisticsProgramReadsTheLogs)
 {
     const std::string program = "/usr/bin/ompl_benchmark_statistics";
-    if (!fs::exists(program))
-        GTEST_SKIP() << program << " is not installed (package ompl-demos)";
+    ASSERT_TRUE(fs::exists(program)) << "is not installed: package ompl-demos, see tools/debian-packages.txt";
     const Folder folder;
     std::vector<std::string> logs;
     run(campaign(), folder / "", logs);

@@ -29,7 +29,7 @@ public:
 
     void defaultCellSizes() override
     {
-        // A twentieth of the reach: the setting with which OMPL's cell-based planners were tried (docs/hppm.md).
+        // A twentieth of the reach: about a thousand cells over all that the tip can reach.
         cellSizes_.assign(2, arm_->arm().reach() / 20.0);
     }
 
