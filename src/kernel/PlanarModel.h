@@ -15,6 +15,7 @@ struct PlanarModel
 {
     PlanarArm arm;
     std::vector<PlanarObstacle> obstacles;
+    bool selfCollision = false;  ///< links that do not meet at a joint must not touch each other
 };
 
 /// Permitted values of one joint; lower < upper.

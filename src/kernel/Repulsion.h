@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace narrows
+{
+/// A scalar function W over joint space that is infinite wherever the robot touches an obstacle, and regular where it is
+/// free: what bends a homotopy's curve around obstacles (HPPM-PRA, Eq. 23). Immutable; threads may share one.
+class Repulsion
+{
+public:
+    /// W and all that the trackers ask about it at one configuration.
+    struct Sample
+    {
+        double value = 0.0;
+        Eigen::VectorXd gradient;   ///< dW/dq, one entry per joint
+        std::vector<double> poles;  ///< the obstacle functions behind W, always as many in the same order: positive where
+                                    ///< free, 0 on the boundary. A step over which one of them changes sign has jumped
+                                    ///< over a pole
+    };
+
+    virtual ~Repulsion() = default;
+
+    virtual int dimension() const = 0;
+    virtual void evaluate(const Eigen::Ref<const Eigen::VectorXd> &q, Sample &sample) const = 0;
+    /// W alone.
+    virtual double value(const Eigen::Ref<const Eigen::VectorXd> &q) const = 0;
+};
+
+/// What the homotopy planners need to know of a robot among its obstacles. One implementation per kind of robot; whoever
+/// brings a robot of his own implements this.
+///
+/// Poles come in groups that share a strength P (of either sign): one group per obstacle, in the order of the model,
+/// then, where they exist, one for all joint limits ("limits") and one for self-collision ("self").
+class RepulsionModel
+{
+public:
+    virtual ~RepulsionModel() = default;
+
+    virtual int dimension() const = 0;
+    /// Names of the groups; obstacles first.
+    virtual const std::vector<std::string> &groups() const = 0;
+
+    /// One pole per link and obstacle, at their exact distance: sum of P / (d^2 - r^2), or the like where a shape has no
+    /// radius (see the implementation). A strength of 0 leaves the group out.
+    /// \param strengths one per group
+    virtual std::shared_ptr<const Repulsion> continuous(const std::vector<double> &strengths) const = 0;
+
+    /// The paper's singular points, n per link (HPPM-PRA, Eq. 20-23).
+    /// \throws std::invalid_argument if the paper has no function for some obstacle or this kind of robot.
+    virtual std::shared_ptr<const Repulsion> points(const std::vector<double> &strengths, int pointsPerLink) const = 0;
+
+    /// Least distance of any link to anything that has a pole (limits, which are no distances, left out), negative or
+    /// zero iff something touches, and its gradient where it has one.
+    virtual double clearance(const Eigen::Ref<const Eigen::VectorXd> &q, Eigen::VectorXd &gradient) const = 0;
+};
+}  // namespace narrows
