@@ -19,16 +19,13 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
 
-from scene import capsule, poses, read_scene
+import draw_planar
+import draw_spatial
+from scene import read_scene
+from spatial_scene import SpatialScene
 
-POSES = 28
-TIPS = 400
 COLUMNS = 4
-# Okabe and Ito's colours, told apart by colour-blind readers too.
-START, GOAL, OBSTACLE, TRACE = "#0072B2", "#D55E00", "#B0B0B0", "#333333"
-SWEEP = "viridis"
 
 
 @dataclass
@@ -39,66 +36,17 @@ class Panel:
     missing: str = "no verified path"
 
 
-def draw_scene(axes, scene):
-    for vertices in scene.outlines.values():
-        axes.add_patch(plt.Polygon(vertices, closed=True, facecolor=OBSTACLE, edgecolor="#606060", linewidth=0.8))
-    if scene.rail is not None:
-        axes.plot(*scene.rail.T, color="#606060", linewidth=1.0, marker="|", zorder=1)
-    if scene.target is not None:
-        point, tolerance = scene.target
-        axes.add_patch(plt.Circle(point, tolerance, facecolor="none", edgecolor=GOAL, linewidth=1.2, zorder=4))
-
-
-def draw_arm(axes, scene, points, **style):
-    axes.add_collection(LineCollection(scene.arm.branches(points), capstyle="round", joinstyle="round", **style))
-
-
-def draw_end(axes, scene, points, colour):
-    """The arm at the start or the goal, as thick as it is."""
-    if scene.arm.radius > 0.0:
-        outlines = [capsule(segment, scene.arm.radius) for segment in scene.arm.segments(points)]
-        axes.add_collection(PolyCollection(outlines, facecolor=colour, edgecolor="none", alpha=0.35, zorder=2))
-    draw_arm(axes, scene, points, color=colour, linewidth=2.2, zorder=3)
-
-
-def draw_sweep(axes, scene, path):
-    """The arm on its way, dark first, and where its last tip goes."""
-    shown = poses(path, POSES)
-    for row, colour in zip(shown, matplotlib.colormaps[SWEEP](np.linspace(0.1, 0.9, len(shown)))):
-        draw_arm(axes, scene, scene.arm.place(row), color=colour, linewidth=0.9, alpha=0.55)
-    tips = np.array([scene.arm.place(row)[-1] for row in poses(path, TIPS)])
-    axes.plot(tips[:, 0], tips[:, 1], color=TRACE, linewidth=0.8, linestyle=":")
-
-
-def extent(scene, paths):
-    """Corners of everything that is drawn, with a margin."""
-    points = [scene.start, *scene.outlines.values()]
-    points += [part for part in (scene.goal, scene.rail) if part is not None]
-    for path in paths:
-        points += [scene.arm.place(row) for row in poses(path, POSES)]
-    points = np.vstack(points)
-    low, high = points.min(axis=0), points.max(axis=0)
-    margin = 0.04 * max(high - low) + scene.arm.radius
-    return low - margin, high + margin
+def view_of(scene):
+    """The module that draws it."""
+    return draw_spatial if isinstance(scene, SpatialScene) else draw_planar
 
 
 def draw_panel(axes, scene, panel, corners):
     axes.set_title(panel.title, fontsize=10, fontweight="bold")
-    axes.set_xlabel(panel.caption, fontsize=8)
-    draw_scene(axes, scene)
-    start, goal = scene.start, scene.goal
-    if panel.path:
-        draw_sweep(axes, scene, panel.path)
-        start, goal = scene.arm.place(panel.path[0]), scene.arm.place(panel.path[-1])
-    else:
-        axes.text(0.5, 0.03, panel.missing, transform=axes.transAxes, ha="center", fontsize=10)
-    draw_end(axes, scene, start, START)
-    if goal is not None:
-        draw_end(axes, scene, goal, GOAL)
-    axes.plot(*start[0], marker="o", color="black", markersize=4, zorder=4)
-    low, high = corners
-    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    axes.tick_params(labelsize=7)
+    view_of(scene).draw_panel(axes, scene, panel.path, corners)
+    view_of(scene).label(axes, panel.caption)
+    if not panel.path:
+        axes.figure.text(0.5, 0.03, panel.missing, transform=axes.transAxes, ha="center", fontsize=10)
 
 
 def save(figure, target):
@@ -113,8 +61,10 @@ def save(figure, target):
 def draw_panels(scene, panels, target, heading=None):
     columns = min(COLUMNS, len(panels))
     rows = math.ceil(len(panels) / columns)
-    corners = extent(scene, [panel.path for panel in panels if panel.path])
-    shape = (corners[1][1] - corners[0][1]) / (corners[1][0] - corners[0][0])
+    view = view_of(scene)
+    corners = view.extent(scene, [panel.path for panel in panels if panel.path])
+    shape = view.shape(corners)
+    flat = view.PROJECTION is None
     width = 3.2 if columns > 1 else 6.4
     labels = 0.62  # inches for a panel's title and caption
     figure, grid = plt.subplots(
@@ -122,13 +72,15 @@ def draw_panels(scene, panels, target, heading=None):
         columns,
         figsize=(width * columns, (0.93 * width * shape + labels) * rows + (0.6 if heading else 0.0)),
         squeeze=False,
-        sharex=True,
-        sharey=True,
+        sharex=flat,
+        sharey=flat,
         layout="constrained",
+        subplot_kw={"projection": view.PROJECTION},
     )
     for axes, panel in zip(grid.flat, panels):
         draw_panel(axes, scene, panel, corners)
-        axes.tick_params(labelbottom=True)
+        if flat:
+            axes.tick_params(labelbottom=True)
     for axes in list(grid.flat)[len(panels) :]:
         axes.set_visible(False)
     if heading:
@@ -141,7 +93,7 @@ def milliseconds(seconds):
 
 
 def draw_run(scenario, record, target):
-    scene = read_scene(Path(scenario).read_text())
+    scene = read_scene(Path(scenario).read_text(), Path(scenario).parent)
     data = json.loads(Path(record).read_text())
     path = (data.get("path") or {}).get("angles") or []
     caption = data["outcome"] + (f" ({data['reason']})" if data.get("reason") else "")

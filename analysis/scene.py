@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Geometry of planar scenarios (`narrows/scenario/1`, docs/scenarios.md): outlines of obstacles and poses of the arm."""
+"""Geometry of scenarios (`narrows/scenario/1`, docs/scenarios.md); in the plane: outlines of obstacles, poses of the arm."""
 
 from dataclasses import dataclass
 
 import numpy as np
 import yaml
+
+from spatial_scene import angle, read_spatial_scene
 
 OUTLINE_POINTS = 160
 
@@ -19,6 +21,10 @@ class Arm:
     parents: list
     relative: bool
     radius: float
+
+    @property
+    def dimension(self):
+        return len(self.lengths) + (self.slide is not None)
 
     def absolute(self, row):
         """A configuration in the scenario's own convention -> (slide value, absolute link angles)."""
@@ -65,16 +71,16 @@ class Scene:
     target: tuple | None  # (point, tolerance)
 
 
-def angle(value):
-    """A scenario's angle: radians, or a text such as "42.5 deg"."""
-    if isinstance(value, str):
-        return np.radians(float(value.removesuffix("deg")))
-    return float(value)
+def read_scene(text, folder="."):
+    """The scene of a scenario file's text. The program has checked the file; errors here are ours.
 
-
-def read_scene(text):
-    """The scene of a scenario file's text. The program has checked the file; errors here are ours."""
+    \\param folder where the files are that it names
+    """
     data = yaml.safe_load(text)
+    if "generate" in data:
+        raise ValueError("a scenario of a family: `narrows generate` writes the file that can be drawn")
+    if data["robot"].get("kind") == "spatial_arm":
+        return read_spatial_scene(data, folder)
     outlines = {
         obstacle.get("name", f"obstacle {i + 1}"): outline(obstacle) for i, obstacle in enumerate(data["obstacles"])
     }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one question to a checker costs: the paper's three cases, states spread over the whole joint space or crowded
-// near the goal, where the narrow passages are. Arguments: case, 0 = uniform / 1 = near the goal.
+// What one question to a checker costs. The paper's three cases: states spread over the whole joint space or crowded
+// near the goal, where the narrow passages are (arguments: case, 0 = uniform / 1 = near the goal). The last motion into
+// the corridor of case 1, while it closes (argument: exponent of the clearance 10^-n).
 #include <benchmark/benchmark.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
 
+#include "CorridorScene.h"
 #include "PaperCases.h"
 #include "scenario/Problem.h"
 
@@ -12,14 +16,17 @@ namespace
 {
 constexpr int stateCount = 1024;
 
+/// The same questions in every run.
 struct Question
 {
     Question(const benchmark::State &run, const std::string &checker)
       : scenario(paperCase(static_cast<int>(run.range(0)))),
         problem(makeProblem(scenario, {checker, "continuous", "absolute"}))
     {
+        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);  // setSeed() says that it comes late
+        ompl::RNG::setSeed(1);
         ompl::base::ScopedState<> goal(problem.si);
-        problem.space->fromAbsolute(std::get<Eigen::VectorXd>(scenario.task.goal), goal.get());
+        problem.space->fromConfiguration(std::get<Eigen::VectorXd>(scenario.planar().task.goal), goal.get());
         const ob::StateSamplerPtr sampler = problem.si->allocStateSampler();
         while (states.size() < stateCount)
         {
@@ -72,9 +79,22 @@ void motionCheck(benchmark::State &run, const std::string &checker)
     question.problem.si->freeState(to);
 }
 
+void intoTheCorridor(benchmark::State &run)
+{
+    const CorridorMotion motion(std::pow(10.0, -static_cast<double>(run.range(0))));
+    const auto checker = makeArmChecker("analytic", motion.model);
+    std::uint64_t placements = 0;
+    for (auto _ : run)
+        if (!checker->isMotionFree(motion.q, motion.delta, placements))
+            run.SkipWithError("not free");
+    run.counters["placements"] =
+        benchmark::Counter(static_cast<double>(placements), benchmark::Counter::kAvgIterations);
+}
+
 BENCHMARK_CAPTURE(stateCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(stateCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(motionCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(motionCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK(intoTheCorridor)->DenseRange(2, 7);
 }  // namespace
 }  // namespace narrows

@@ -24,7 +24,7 @@ void solve(benchmark::State &run, const std::string &form)
     {
         run.PauseTiming();
         const Problem problem = makeProblem(scenario);
-        const ob::PlannerPtr planner = makePlanner("hppm", {problem.si, problem.model}, parameters);
+        const ob::PlannerPtr planner = makePlanner("hppm", problem.context, parameters);
         planner->setProblemDefinition(problem.pdef);
         planner->setup();
         const auto condition = ob::plannerNonTerminatingCondition();

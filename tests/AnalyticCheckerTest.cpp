@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "PaperCases.h"
+#include "validity/ArmChecker.h"
 #include "validity/PlanarChecker.h"
 
 namespace narrows
@@ -40,7 +41,7 @@ class AnalyticChecker : public testing::TestWithParam<int>
 TEST_P(AnalyticChecker, AgreesWithBruteForceSamplingOfThePapersCases)
 {
     const Scenario scenario = paperCase(GetParam());
-    const PlanarModel &model = *scenario.model;
+    const PlanarModel &model = *scenario.planar().model;
     const auto checker = makeAnalyticChecker(model);
     std::mt19937 generator(11);
     std::uniform_real_distribution<double> angle(-std::acos(-1.0), std::acos(-1.0));
@@ -56,14 +57,14 @@ TEST_P(AnalyticChecker, AgreesWithBruteForceSamplingOfThePapersCases)
         {
             const Vector2d &a = points[model.arm.links()[i].parent + 1];
             const bool hit = sampledCollision(model, a, points[i + 1], 200);
-            const bool clear = checker->linkClears(a, points[i + 1], 0.0);
+            const bool clear = checker->clears({a, points[i + 1], model.arm.radius()});
             collisions += hit;
             ASSERT_FALSE(hit && clear) << "trial " << trial << ", link " << i;
             // Sampling misses contacts shallower than its spacing.
             if (!hit && !clear)
             {
                 ++disagreements;
-                EXPECT_LE(checker->linkClearance(a, points[i + 1]), 1e-9);
+                EXPECT_LE(checker->clearance({a, points[i + 1], model.arm.radius()}), 1e-9);
             }
         }
     }
@@ -74,21 +75,20 @@ TEST_P(AnalyticChecker, AgreesWithBruteForceSamplingOfThePapersCases)
 TEST_P(AnalyticChecker, MarginAndClearanceSayTheSame)
 {
     const Scenario scenario = paperCase(GetParam());
-    PlanarModel model = *scenario.model;
-    model.arm = PlanarArm(model.arm.base(), model.arm.links(), 0.02);
-    const auto checker = makeAnalyticChecker(model);
+    const double radius = 0.02;
+    const auto checker = makeAnalyticChecker(*scenario.planar().model);
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> uniform(-2.0, 6.0);
     for (int trial = 0; trial < 3000; ++trial)
     {
         const Vector2d a(uniform(generator), uniform(generator));
         const Vector2d b = a + Vector2d(uniform(generator) - 2.0, uniform(generator) - 2.0) * 0.3;
-        const double clearance = checker->linkClearance(a, b);
-        EXPECT_EQ(checker->linkClears(a, b, 0.0), clearance > 0.0) << "trial " << trial;
+        const double clearance = checker->clearance({a, b, radius});
+        EXPECT_EQ(checker->clears({a, b, radius}), clearance > 0.0) << "trial " << trial;
         if (clearance > 0.0)
         {
-            EXPECT_TRUE(checker->linkClears(a, b, clearance * (1.0 - 1e-9))) << "trial " << trial;
-            EXPECT_FALSE(checker->linkClears(a, b, clearance * (1.0 + 1e-9))) << "trial " << trial;
+            EXPECT_TRUE(checker->clears({a, b, radius + clearance * (1.0 - 1e-9)})) << "trial " << trial;
+            EXPECT_FALSE(checker->clears({a, b, radius + clearance * (1.0 + 1e-9)})) << "trial " << trial;
         }
     }
 }
@@ -101,34 +101,33 @@ TEST(PaperCases, StartsAndGoalsHaveTheMeasuredClearances)
     const double expected[3][2] = {{0.972, 0.0564}, {2.061, 0.0155}, {0.270, 0.1239}};
     for (int number = 1; number <= 3; ++number)
     {
-        const Scenario scenario = paperCase(number);
-        const auto checker = makeAnalyticChecker(*scenario.model);
-        std::vector<Vector2d> points;
-        scenario.model->arm.place(scenario.task.start, points);
-        EXPECT_NEAR(armClearance(*checker, scenario.model->arm, points), expected[number - 1][0], 6e-4) << number;
-        scenario.model->arm.place(std::get<Eigen::VectorXd>(scenario.task.goal), points);
-        EXPECT_NEAR(armClearance(*checker, scenario.model->arm, points), expected[number - 1][1], 6e-5) << number;
+        const PlanarWorld world = paperCase(number).planar();
+        const auto checker = makeArmChecker("analytic", *world.model);
+        EXPECT_NEAR(checker->clearance(world.task.start), expected[number - 1][0], 6e-4) << number;
+        EXPECT_NEAR(checker->clearance(std::get<Eigen::VectorXd>(world.task.goal)), expected[number - 1][1], 6e-5)
+            << number;
     }
 }
 
 TEST(PlanarChecker, KnowsPolygonsAndEmptyScenes)
 {
-    const PlanarArm arm({0, 0}, {{1.0, -1}}, 0.125);  // exact in binary, so that touching is touching
+    const PlanarArm arm({0, 0}, {{1.0, -1}});
+    const double radius = 0.125;  // exact in binary, so that touching is touching
     const auto square = makeAnalyticChecker({arm, {{"S", Polygon{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}}}});
-    EXPECT_FALSE(square->linkClears({-1.0, 0.5}, {2.0, 0.5}, 0.0));
-    EXPECT_FALSE(square->linkClears({0.4, 0.5}, {0.6, 0.5}, 0.0));
-    EXPECT_FALSE(square->linkClears({-1.0, 1.125}, {2.0, 1.125}, 0.0));  // touches with its half-width
-    EXPECT_TRUE(square->linkClears({-1.0, 1.25}, {2.0, 1.25}, 0.12));
-    EXPECT_FALSE(square->linkClears({-1.0, 1.25}, {2.0, 1.25}, 0.13));
-    EXPECT_NEAR(square->linkClearance({-1.0, 1.25}, {2.0, 1.25}), 0.125, 1e-12);
+    EXPECT_FALSE(square->clears({{-1.0, 0.5}, {2.0, 0.5}, radius}));
+    EXPECT_FALSE(square->clears({{0.4, 0.5}, {0.6, 0.5}, radius}));
+    EXPECT_FALSE(square->clears({{-1.0, 1.125}, {2.0, 1.125}, radius}));  // touches with its half-width
+    EXPECT_TRUE(square->clears({{-1.0, 1.25}, {2.0, 1.25}, 0.245}));
+    EXPECT_FALSE(square->clears({{-1.0, 1.25}, {2.0, 1.25}, 0.255}));
+    EXPECT_NEAR(square->clearance({{-1.0, 1.25}, {2.0, 1.25}, radius}), 0.125, 1e-12);
     const auto nothing = makeAnalyticChecker({arm, {}});
-    EXPECT_TRUE(nothing->linkClears({0, 0}, {1, 0}, 1e6));
-    EXPECT_EQ(nothing->linkClearance({0, 0}, {1, 0}), std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(nothing->clears({{0, 0}, {1, 0}, 1e6}));
+    EXPECT_EQ(nothing->clearance({{0, 0}, {1, 0}, radius}), std::numeric_limits<double>::infinity());
 }
 
 TEST(PlanarChecker, UnknownNamesAreRefused)
 {
-    EXPECT_THROW(makeChecker("guess", *paperCase(1).model), std::invalid_argument);
+    EXPECT_THROW(makeChecker("guess", *paperCase(1).planar().model), std::invalid_argument);
 }
 }  // namespace
 }  // namespace narrows

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -9,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "BadFiles.h"
 #include "scenario/Scenario.h"
 
 // Every file of tests/data/bad has one fault, which its name tells; many_faults.yaml has many. Lines with a fault end
@@ -19,13 +19,6 @@ namespace narrows
 namespace
 {
 const std::string folder = NARROWS_SOURCE_DIR "/tests/data/bad/";
-
-struct BadFile
-{
-    std::string name;    ///< without ".yaml"
-    std::string key;     ///< exactly
-    std::string reason;  ///< a part of it
-};
 
 const std::vector<BadFile> badFiles = {
     {"format_missing", "format", "is missing"},
@@ -42,9 +35,15 @@ const std::vector<BadFile> badFiles = {
     {"key_is_a_list", "robot", "a key must be a word, not a list of 2"},
     {"robot_missing", "robot", "is missing"},
     {"robot_not_a_mapping", "robot", "must be a mapping (key: value), not 'arm'"},
-    {"kind_unknown", "robot.kind", "must be planar_arm or planar_chain, not 'planar_arms'; did you mean 'planar_arm'?"},
-    {"kind_not_supported", "robot.kind", "not supported by this version"},
-    {"generate_not_supported", "generate", "not supported by this version"},
+    {"kind_unknown", "robot.kind", "must be planar_arm or planar_chain or spatial_arm, not 'planar_arms'; did you mean 'planar_arm'?"},
+    {"self_collision_word", "robot.self_collision", "must be true or false, not 'yes'"},
+    {"generate_family_missing", "generate.family", "is missing"},
+    {"generate_family_unknown", "generate.family", "not 'slap'; did you mean 'slab'?"},
+    {"generate_parameter_unknown", "generate.width", "unknown key; did you mean 'half_width'?"},
+    {"generate_parameter_bad", "generate.half_width", "must be a number from 1e-08 to 0.2, not '0'"},
+    {"generate_parameters_contrary", "generate", "takes radius or clearance, not both"},
+    {"generate_beside_robot", "robot", "generate makes robot, obstacles, start and goal"},
+    {"generate_methods_bad", "methods.hppm.repulsion.C3", "unknown key; did you mean 'C1'?"},
     {"links_missing", "robot.links", "is missing"},
     {"links_none", "robot.links", "must be a list of 1 to 1000 entries, not a list of 0"},
     {"links_not_a_list", "robot.links", "must be a list of 1 to 1000 entries, not a mapping"},
@@ -102,6 +101,7 @@ const std::vector<BadFile> badFiles = {
     {"start_angle_unit", "start.angles[1]", "must be an angle (radians, or as in '42.5 deg'), not '30 degrees'"},
     {"start_angle_nan", "start.angles[0]", "must be finite, not '.nan'"},
     {"start_in_collision", "start", "in collision: link 2 touches C1"},
+    {"start_in_self_collision", "start", "in collision: link 3 touches link 1"},
     {"start_out_of_limits", "start.angles[1]", "the angle 1.5 of link 2 is out of its limits [-1, 1]"},
     {"start_out_of_relative_limits", "start.points[1]", "of link 2 is out of its limits [-1, 1]"},
     {"start_points_length", "start.points[1]", "link 2 would be 1.1 long there, but its length is 1"},
@@ -109,6 +109,7 @@ const std::vector<BadFile> badFiles = {
     {"start_slide_missing", "start.slide", "is missing"},
     {"start_slide_out_of_limits", "start.slide", "2 is out of the slide's limits [-1, 1]"},
     {"start_slide_without_slide", "start.slide", "the robot has no sliding base"},
+    {"files_in_the_plane", "files", "only robots of kind spatial_arm have obstacles from files"},
     {"goal_missing", "goal", "is missing"},
     {"goal_without_state", "goal", "must have angles, points or tip"},
     {"goal_in_collision", "goal", "in collision: link 2 touches C1"},
@@ -148,72 +149,20 @@ const std::vector<BadFile> badFiles = {
     {"latin1", "", "is not a text file in UTF-8"},
 };
 
-void PrintTo(const BadFile &file, std::ostream *stream)
-{
-    *stream << file.name << ".yaml";
-}
-
-std::vector<int> markedLines(const std::string &path)
-{
-    std::vector<int> lines;
-    std::ifstream stream(path);
-    std::string text;
-    for (int line = 1; std::getline(stream, text); ++line)
-        if (text.find("# here") != std::string::npos)
-            lines.push_back(line);
-    return lines;
-}
-
-std::vector<InputFault> faultsOf(const std::string &path)
-{
-    try
-    {
-        readScenario(path);
-    }
-    catch (const InputError &error)
-    {
-        return error.faults();
-    }
-    return {};
-}
-
 class BadScenario : public testing::TestWithParam<BadFile>
 {
 };
 
 TEST_P(BadScenario, IsRefusedWithPlaceAndReason)
 {
-    const std::string path = folder + GetParam().name + ".yaml";
-    const std::vector<InputFault> faults = faultsOf(path);
-    const auto fault = std::find_if(
-        faults.begin(), faults.end(),
-        [](const InputFault &candidate)
-        { return candidate.key == GetParam().key && candidate.reason.find(GetParam().reason) != std::string::npos; });
-    if (fault == faults.end())
-    {
-        for (const InputFault &other : faults)
-            ADD_FAILURE() << "says: " << other.text();
-        FAIL() << "does not say: " << GetParam().key << ": " << GetParam().reason;
-    }
-    EXPECT_EQ(fault->file, path);
-    for (const int line : markedLines(path))
-        EXPECT_EQ(fault->line, line);
-    EXPECT_TRUE(fault->line > 0 || fault->key.empty()) << "only a fault of the whole file may be without a line";
-    EXPECT_THAT(fault->text(), testing::StartsWith(path + ":"));
+    expectRefused(folder, GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, BadScenario, testing::ValuesIn(badFiles),
-                         [](const testing::TestParamInfo<BadFile> &file) { return file.param.name; });
+INSTANTIATE_TEST_SUITE_P(Files, BadScenario, testing::ValuesIn(badFiles), nameOf);
 
 TEST(BadScenarios, AreAllInTheTable)
 {
-    std::set<std::string> expected{"many_faults"};
-    for (const BadFile &file : badFiles)
-        EXPECT_TRUE(expected.insert(file.name).second) << file.name << " is in the table twice";
-    std::set<std::string> present;
-    for (const auto &entry : std::filesystem::directory_iterator(folder))
-        present.insert(entry.path().stem().string());
-    EXPECT_EQ(present, expected);
+    expectListed(folder, badFiles);
 }
 
 TEST(BadScenarios, FaultsOfOneFileAreReportedTogether)
@@ -265,7 +214,7 @@ TEST(BadScenarios, DamagedTextIsReadOrRefusedButNeverCrashes)
             text.replace(below(text.size()), below(20), 1, letters[below(letters.size())]);
         try
         {
-            EXPECT_TRUE(parseScenario(text, "damaged").model);
+            EXPECT_TRUE(parseScenario(text, "damaged").planar().model);
         }
         catch (const InputError &error)
         {

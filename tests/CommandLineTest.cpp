@@ -172,6 +172,55 @@ goal: {angles: [90 deg, 0]}
         1);
 }
 
+TEST_F(CommandLine, GenerateWritesAScenarioAndAPathThatTheVerifierAccepts)
+{
+    const std::string scenario = folder_ + "/slab.yaml";
+    const std::string witness = folder_ + "/witness.json";
+    const std::string slab = "generate slab --param half_width=1e-3 --param seed=7";
+    const Reply reply = narrows(slab + " -o " + scenario + " --witness " + witness);
+    EXPECT_EQ(reply.code, 0) << reply.err;
+    EXPECT_THAT(reply.out, IsEmpty());
+    EXPECT_EQ(readScenario(scenario).name, "slab_half_width1e-3_seed7");
+    EXPECT_THAT(narrows("verify " + scenario + " " + witness).out, HasSubstr("accepted"));
+    EXPECT_EQ(narrows(slab).out, readFile(scenario));
+    EXPECT_THAT(narrows(slab + " --name mine").out, HasSubstr("name: mine\n"));
+    EXPECT_THAT(narrows("show family slab").out, HasSubstr("half_width = 0.01   in 1e-08 to 0.2"));
+}
+
+TEST_F(CommandLine, GenerateRefusesWhatItCannotDo)
+{
+    for (const auto &[arguments, word] : std::vector<std::pair<std::string, std::string>>{
+             {"generate slap", "did you mean 'slab'?"},
+             {"generate slab --param seed", "expected name=value"},
+             {"generate slab --param sed=1", "did you mean 'seed'?"},
+             {"generate slab --param seed=x", "seed: must be a whole number"},
+             {"generate slab --name 'two words'", "must be one word"},
+             {"generate slab -o " + folder_ + "/none/a.yaml", "a.yaml: cannot be written"},
+             {"generate corridor --witness " + folder_ + "/witness.json", "no witness is known"},
+             {"show family slap", "did you mean 'slab'?"}})
+    {
+        const Reply reply = narrows(arguments);
+        EXPECT_EQ(reply.code, 2) << arguments;
+        EXPECT_THAT(reply.err, HasSubstr(word)) << arguments;
+        EXPECT_THAT(reply.out, IsEmpty()) << arguments;
+    }
+}
+
+TEST_F(CommandLine, SweepsOfAFamilyCanBeRecheckedFromTheDatabaseAlone)
+{
+    const std::string database = folder_ + "/sweep.db";
+    const std::string sweep = file("sweep.cfg", "[problem]\nname = test\nscenario = " + scenarios +
+                                                    "slab.yaml\n[sweep]\ngenerate.half_width = 0.1\n"
+                                                    "generate.seed = 1..3\n"
+                                                    "[benchmark]\nrun_count = 1\nwarm_up = 0\nsave_paths = all\n"
+                                                    "[planner]\nrrtconnect =\n");
+    const Reply bench = narrows("bench " + sweep + " --db " + database);
+    EXPECT_EQ(bench.code, 0) << bench.err;
+    EXPECT_THAT(bench.out, HasSubstr("slab_half_width0.1_analytic (3 instances, 3 of them solved by some planner)"));
+    EXPECT_THAT(narrows("recheck " + database).out, HasSubstr("3 accepted and 0 refused paths"));
+    EXPECT_EQ(narrows("bench " + sweep + " --resume --db " + database).code, 0);
+}
+
 TEST_F(CommandLine, VerifyRefusesMalformedPaths)
 {
     for (const char *text :
@@ -247,7 +296,8 @@ TEST_F(CommandLine, ListsAndShows)
     EXPECT_THAT(narrows("list planners").out, HasSubstr("rrtconnect"));
     EXPECT_THAT(narrows("list scenarios").out, HasSubstr("gap_small.yaml"));
     EXPECT_THAT(narrows("list metrics").out, HasSubstr("state_checks"));
-    for (const char *kind : {"planners", "scenarios", "metrics"})
+    EXPECT_THAT(narrows("list families").out, HasSubstr("tube"));
+    for (const char *kind : {"planners", "scenarios", "families", "metrics"})
         EXPECT_FALSE(nlohmann::json::parse(narrows(std::string("list --json ") + kind).out).at(kind).empty());
     const Reply shown = narrows("show planner rrtconnect");
     EXPECT_EQ(shown.code, 0);

@@ -21,16 +21,17 @@ Problem oneLink(std::vector<PlanarObstacle> obstacles, const ProblemOptions &opt
 {
     Scenario scenario;
     scenario.name = "one-link";
-    scenario.model = std::make_shared<PlanarModel>(PlanarModel{PlanarArm({0, 0}, {{2.0, -1}}), std::move(obstacles)});
-    scenario.task.start = Eigen::VectorXd::Constant(1, -1.0);
-    scenario.task.goal = Eigen::VectorXd(Eigen::VectorXd::Constant(1, 1.0));
+    scenario.planar().model =
+        std::make_shared<PlanarModel>(PlanarModel{PlanarArm({0, 0}, {{2.0, -1}}), std::move(obstacles)});
+    scenario.planar().task.start = Eigen::VectorXd::Constant(1, -1.0);
+    scenario.planar().task.goal = Eigen::VectorXd(Eigen::VectorXd::Constant(1, 1.0));
     return makeProblem(scenario, options);
 }
 
 ob::ScopedState<> at(const Problem &problem, double angle)
 {
     ob::ScopedState<> state(problem.si);
-    problem.space->fromAbsolute(Eigen::VectorXd::Constant(1, angle), state.get());
+    problem.space->fromConfiguration(Eigen::VectorXd::Constant(1, angle), state.get());
     return state;
 }
 
@@ -84,6 +85,31 @@ TEST(ContinuousMotionValidator, FindsTheFreeStretch)
     EXPECT_LT(lastValid.second, 5.0 / 12.0);
     EXPECT_TRUE(problem.si->isValid(last.get()));
     EXPECT_TRUE(problem.si->checkMotion(at(problem, -0.5).get(), last.get()));
+}
+
+/// The last link swings across the first one; both ends of the motion are free.
+TEST(ContinuousMotionValidator, KeepsLinksApartOnlyWhereAsked)
+{
+    for (const bool selfCollision : {false, true})
+    {
+        Scenario scenario;
+        const PlanarArm arm({0, 0}, {{2.0, -1}, {1.0, 0}, {1.5, 1}});
+        scenario.planar().model = std::make_shared<PlanarModel>(PlanarModel{arm, {}, selfCollision});
+        scenario.planar().task.start = Eigen::Vector3d(0.0, 2.0, 3.0);
+        scenario.planar().task.goal = Eigen::VectorXd(Eigen::Vector3d(0.0, 2.0, 5.0));
+        for (const char *checker : {"analytic", "fcl"})
+        {
+            const Problem problem = makeProblem(scenario, {checker, "continuous", "absolute_line"});
+            ob::ScopedState<> from(problem.si), to(problem.si), folded(problem.si);
+            problem.space->fromConfiguration(Eigen::Vector3d(0.0, 2.0, 3.0), from.get());
+            problem.space->fromConfiguration(Eigen::Vector3d(0.0, 2.0, 7.0), to.get());
+            problem.space->fromConfiguration(Eigen::Vector3d(0.0, 2.0, 4.6), folded.get());
+            EXPECT_TRUE(problem.si->isValid(from.get()));
+            EXPECT_TRUE(problem.si->isValid(to.get()));
+            EXPECT_EQ(problem.si->isValid(folded.get()), !selfCollision);
+            EXPECT_EQ(problem.si->checkMotion(from.get(), to.get()), !selfCollision) << checker;
+        }
+    }
 }
 
 TEST(ContinuousMotionValidator, CountsWhatItDoes)

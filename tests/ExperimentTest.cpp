@@ -204,7 +204,7 @@ TEST(BadExperiments, AllFaultsAreNamedAtOnce)
                     StartsWith("15: benchmark.motion: "), StartsWith("16: benchmark.space: "),
                     StartsWith("17: benchmark.warm_up: '-1' is not a number >= 0"),
                     StartsWith("18: benchmark.jobs: '0' is not a whole number"),
-                    StartsWith("20: sweep.generate.width: scenario families are not supported by this version"),
+                    StartsWith("20: sweep.generate.width: '4..2' is an empty or too large range"),
                     StartsWith("21: sweep.width: unknown key"), StartsWith("23: weather.sun: unknown section"),
                     StartsWith("24: [planner: a section is written [name]"), StartsWith("25: no equals sign: expected"),
                     StartsWith("26: = 3: there is no key before ="), StartsWith("28: rrtconect: "),
@@ -214,6 +214,80 @@ TEST(BadExperiments, AllFaultsAreNamedAtOnce)
                     StartsWith("35: rrtconnect.only: no scenario of this experiment is called 'nowhere'"),
                     StartsWith("36: rrtconnect.recipe: 'maybe' is neither"), StartsWith("37: rrtconnect.space: "),
                     StartsWith("39: biest: is called 'biest' like the entry in line 38")));
+}
+
+TEST_F(ExperimentFile, SweepsMakeTheCrossProductOfEveryFamily)
+{
+    const Experiment experiment = read("[problem]\nname = test\nscenario = " + scenarioFolder + "slab.yaml, " +
+                                       scenarioFolder + "gap_small.yaml, " + scenarioFolder +
+                                       "tube.yaml\n"
+                                       "[sweep]\ngenerate.half_width = 0.1, 1e-2\ngenerate.seed = 3..5, 9\n"
+                                       "[benchmark]\nrun_count = 2\n"
+                                       "[planner]\nrrtconnect =\nbiest =\nbiest.only = slab, tube_half_width1e-2\n");
+    ASSERT_EQ(experiment.scenarios.size(), 8u + 1u + 8u);
+    EXPECT_EQ(experiment.scenarios[0]->name, "slab_half_width0.1_seed3");
+    EXPECT_EQ(experiment.scenarios[1]->name, "slab_half_width0.1_seed4");
+    EXPECT_EQ(experiment.scenarios[7]->name, "slab_half_width1e-2_seed9");
+    EXPECT_EQ(experiment.scenarios[7]->group, "slab_half_width1e-2");
+    EXPECT_EQ(experiment.scenarios[7]->base, "slab");
+    EXPECT_EQ(experiment.scenarios[8]->name, "gap-small");
+    std::map<std::string, int> runs;
+    std::set<std::string> instances;
+    for (const RunSpec &spec : expand(experiment))
+    {
+        ++runs[spec.label + " " + spec.group];
+        instances.insert(spec.instance);
+        EXPECT_EQ(spec.instance, spec.scenario->name + "_analytic");
+    }
+    EXPECT_EQ(instances.size(), 17u);
+    EXPECT_EQ(runs, (std::map<std::string, int>{{"rrtconnect slab_half_width0.1_analytic", 8},
+                                                {"rrtconnect slab_half_width1e-2_analytic", 8},
+                                                {"rrtconnect gap-small_analytic", 2},
+                                                {"rrtconnect tube_half_width0.1_analytic", 8},
+                                                {"rrtconnect tube_half_width1e-2_analytic", 8},
+                                                {"biest slab_half_width0.1_analytic", 8},
+                                                {"biest slab_half_width1e-2_analytic", 8},
+                                                {"biest tube_half_width1e-2_analytic", 8}}));
+}
+
+TEST_F(ExperimentFile, ASweepIsPartOfTheDigest)
+{
+    const std::string head = "[problem]\nname = test\nscenario = " + scenarioFolder + "slab.yaml\n[sweep]\n";
+    const std::string tail = "\n[planner]\nbiest =\n";
+    EXPECT_NE(read(head + "generate.seed = 1, 2" + tail).digest(), read(head + "generate.seed = 1, 3" + tail).digest());
+}
+
+TEST_F(ExperimentFile, BadSweepsAreRefusedWithTheirLines)
+{
+    using testing::ElementsAre;
+    const auto faults = [&](const std::string &scenario, const std::string &sweep)
+    {
+        std::ofstream(path_) << "[problem]\nname = test\nscenario = " << scenarioFolder << scenario << "\n[sweep]\n"
+                             << sweep << "\n[planner]\nbiest =\n";
+        return faultsOf(path_);
+    };
+    const auto slabFaults = [&](const std::string &sweep)
+    {
+        return faults("slab.yaml", sweep);
+    };
+    EXPECT_THAT(slabFaults("generate.gaps = 2"),
+                ElementsAre("5: sweep.generate.gaps: there is no parameter of the family slab 'gaps'; there are links, "
+                            "half_width, depth, symmetric, seed"));
+    EXPECT_THAT(slabFaults("generate.links = 3, 4.5"),
+                ElementsAre("5: sweep.generate.links: must be a whole number from 3 to 100, not '4.5'"));
+    EXPECT_THAT(slabFaults("generate.seed = 1..3, 2"), ElementsAre("5: sweep.generate.seed: names '2' twice"));
+    EXPECT_THAT(slabFaults("generate.seed = 1..b"),
+                ElementsAre("5: sweep.generate.seed: '1..b' is not a range of whole numbers like 1..20"));
+    EXPECT_THAT(slabFaults("generate.seed ="),
+                ElementsAre("5: sweep.generate.seed: expected a list separated by commas"));
+    EXPECT_THAT(slabFaults("generate.seed = 1,,2"),
+                ElementsAre("5: sweep.generate.seed: expected a list separated by commas"));
+    EXPECT_THAT(slabFaults("generate.seed = 1\ngenerate.seed = 2"),
+                ElementsAre("6: sweep.generate.seed: already given in line 5"));
+    EXPECT_THAT(slabFaults("generate.seed = 1..400\ngenerate.links = 3..300"),
+                testing::Contains("6: sweep.generate.links: makes more than 100000 instances"));
+    EXPECT_THAT(faults("gap_small.yaml", "generate.seed = 1"),
+                ElementsAre("5: sweep.generate.seed: no scenario of this experiment has `generate`"));
 }
 
 TEST(BadExperiments, FilesWithOneFaultEach)

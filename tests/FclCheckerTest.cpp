@@ -19,7 +19,7 @@ namespace
 {
 using Eigen::Vector2d;
 
-/// FCL's queries decide distances to 2e-6, and linkClearance() returns the lower end of 1e-5 (FclChecker.cpp).
+/// FCL's queries decide distances to 2e-6, and clearance() returns the lower end of 1e-5 (FclChecker.cpp).
 constexpr double decided = 2e-6;
 constexpr double resolved = 2e-5;
 
@@ -38,11 +38,12 @@ void expectClearance(const PlanarModel &model, const Vector2d &a, const Vector2d
                      double safety = 0.0)
 {
     const auto checker = makeFclChecker(model);
-    const double clearance = checker->linkClearance(a, b);
+    const double radius = model.arm.radius();
+    const double clearance = checker->clearance({a, b, radius});
     EXPECT_LE(clearance, expected + 1e-12);
     EXPECT_GE(clearance, expected - resolved - safety);
-    EXPECT_TRUE(checker->linkClears(a, b, expected - decided - safety));
-    EXPECT_FALSE(checker->linkClears(a, b, expected + 1e-12));
+    EXPECT_TRUE(checker->clears({a, b, radius + expected - decided - safety}));
+    EXPECT_FALSE(checker->clears({a, b, radius + expected + 1e-12}));
 }
 
 TEST(FclChecker, MeasuresEveryShapeByHand)
@@ -61,8 +62,8 @@ TEST(FclChecker, LeavesTheNotchOfAPolygonOpen)
     const PlanarModel model = scene({{"N", notched()}});
     expectClearance(model, {0.1, 0.05}, {1.2, 0.05}, 0.15);
     expectClearance(model, {0.1, 0.0}, {1.4, 0.0}, 0.1);
-    EXPECT_FALSE(makeFclChecker(model)->linkClears({0.1, 0.0}, {1.6, 0.0}, 0.0));
-    EXPECT_FALSE(makeFclChecker(model)->linkClears({1.7, 0.5}, {1.8, 0.5}, 0.0));  // all inside
+    EXPECT_FALSE(makeFclChecker(model)->clears({{0.1, 0.0}, {1.6, 0.0}, 0.0}));
+    EXPECT_FALSE(makeFclChecker(model)->clears({{1.7, 0.5}, {1.8, 0.5}, 0.0}));  // all inside
 }
 
 TEST(FclChecker, CountsTheLinkRadius)
@@ -86,9 +87,9 @@ TEST(FclChecker, TakesTouchingAndOverlapForCollisions)
                                    {{1, 0}, {3, 0}},
                                    {{0, 0}, {5, 0.5}}})
         {
-            EXPECT_FALSE(checker->linkClears(a, b, 0.0))
+            EXPECT_FALSE(checker->clears({a, b, 0.0}))
                 << obstacle.name << " " << a.transpose() << ", " << b.transpose();
-            EXPECT_LE(checker->linkClearance(a, b), 0.0)
+            EXPECT_LE(checker->clearance({a, b, 0.0}), 0.0)
                 << obstacle.name << " " << a.transpose() << ", " << b.transpose();
         }
     }
@@ -97,8 +98,8 @@ TEST(FclChecker, TakesTouchingAndOverlapForCollisions)
 TEST(FclChecker, FindsEmptyScenesFree)
 {
     const auto checker = makeFclChecker(scene({}));
-    EXPECT_TRUE(checker->linkClears({0, 0}, {1, 0}, 1e9));
-    EXPECT_EQ(checker->linkClearance({0, 0}, {1, 0}), std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(checker->clears({{0, 0}, {1, 0}, 1e9}));
+    EXPECT_EQ(checker->clearance({{0, 0}, {1, 0}, 0.0}), std::numeric_limits<double>::infinity());
 }
 
 /// Distance by the verifier's geometry, which shares no code with the checker.
@@ -106,11 +107,13 @@ double supportDistance(const PlanarModel &model, const Vector2d &a, const Vector
 {
     double least = std::numeric_limits<double>::infinity();
     for (const PlanarObstacle &obstacle : model.obstacles)
-    {
-        if (polygonEncloses(obstacle, a))
+        if (proof::encloses(obstacle, a))
             return 0.0;
-        for (const ConvexSet &set : convexSets(obstacle))
-            least = std::min(least, separate(set, a, b, {1, 0}, {}).upper - set.inflation - model.arm.radius());
+    for (const proof::Part<2> &part : proof::partsOf(model.obstacles, 100.0).all)
+    {
+        const double apart = proof::separate<2>(part.set, proof::Segment<2>{a, b}, {1, 0}, {}).upper;
+        if (!part.isBox())
+            least = std::min(least, apart - part.set.inflation - model.arm.radius());
     }
     return least;
 }
@@ -152,12 +155,12 @@ TEST(FclChecker, AgreesWithTheVerifierOn20000RandomLinks)
             }
             const Vector2d b = a + (0.75 + 0.5 * uniform(generator)) * Vector2d(std::cos(angle), std::sin(angle));
             const double distance = supportDistance(model, a, b);
-            const double clearance = checker->linkClearance(a, b);
+            const double clearance = checker->clearance({a, b, model.arm.radius()});
             SCOPED_TRACE("seed 23, trial " + std::to_string(trial) + ", " + model.obstacles.front().name);
             EXPECT_LE(clearance, std::max(distance, 0.0) + 1e-12);
             EXPECT_GE(clearance, distance - resolved - safety);
             const double margin = std::abs(uniform(generator));
-            if (checker->linkClears(a, b, margin))
+            if (checker->clears({a, b, model.arm.radius() + margin}))
             {
                 EXPECT_GT(distance, margin);
             }
@@ -176,7 +179,7 @@ TEST(FclChecker, ServesThreadsAlike)
     const auto sweep = [&checker](std::vector<double> &clearances)
     {
         for (int i = 0; i < 500; ++i)
-            clearances.push_back(checker->linkClearance({0.01 * i, 3.0}, {0.01 * i + 0.5, 3.5}));
+            clearances.push_back(checker->clearance({{0.01 * i, 3.0}, {0.01 * i + 0.5, 3.5}, 0.0}));
     };
     std::vector<double> alone, first, second;
     sweep(alone);
@@ -212,7 +215,7 @@ TEST(ConvexPieces, CoverAPolygonWithoutOverlap)
         double sum = 0.0;
         for (const Polygon &piece : convexPieces(polygon))
         {
-            EXPECT_EQ(convexSets({"piece", piece}).size(), 1u) << "a piece is not convex";
+            EXPECT_EQ(proof::partsOf({{"piece", piece}}, 100.0).all.size(), 1u) << "a piece is not convex";
             EXPECT_GT(area(piece), 0.0);
             sum += area(piece);
         }
@@ -235,14 +238,16 @@ TEST(CircumscribedPolygon, IsCloseAndNeverInside)
         const Polygon polygon = circumscribedPolygon(shape, 1e-3);
         EXPECT_LT(polygon.vertices.size(), 300u);
         EXPECT_GT(area(polygon), 0.0);
-        const ConvexSet superellipse = convexSets({"E", shape}).front();
+        const proof::ConvexSet<2> superellipse = proof::partsOf({{"E", shape}}, 100.0).all.front().set;
         double furthest = 0.0;
         for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
         {
             const Vector2d &from = polygon.vertices[i], &to = polygon.vertices[(i + 1) % polygon.vertices.size()];
             const Vector2d outward = Vector2d(to.y() - from.y(), from.x() - to.x()).normalized();
-            EXPECT_NEAR((from - supportPoint(superellipse, outward)).dot(outward), 0.0, 1e-9) << "not a tangent";
-            furthest = std::max(furthest, separate(superellipse, from, from, {1, 0}, {}).upper);
+            EXPECT_NEAR((from - proof::supportPoint<2>(superellipse, outward)).dot(outward), 0.0, 1e-9)
+                << "not a tangent";
+            furthest =
+                std::max(furthest, proof::separate<2>(superellipse, proof::Segment<2>{from, from}, {1, 0}, {}).upper);
         }
         EXPECT_LE(furthest, 1e-3 * shape.halfExtents.minCoeff());
     }

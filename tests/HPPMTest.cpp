@@ -33,7 +33,7 @@ Attempt solve(const Scenario &scenario, const Parameters &changes = {}, const st
     for (const auto &[name, value] : changes)
         parameters[name] = value;
     Attempt attempt{scenario, makeProblem(scenario, {"analytic", "continuous", space}), nullptr, {}};
-    attempt.planner = makePlanner("hppm", {attempt.problem.si, attempt.problem.model}, parameters);
+    attempt.planner = makePlanner("hppm", attempt.problem.context, parameters);
     attempt.planner->setProblemDefinition(attempt.problem.pdef);
     attempt.planner->setup();
     attempt.status = attempt.planner->solve(ob::plannerNonTerminatingCondition());
@@ -92,13 +92,13 @@ TEST(HPPM, NamesWhyItStopped)
 TEST(HPPM, SaysThatThePaperHasNoPolygons)
 {
     Scenario scenario = paperCase(1);
-    PlanarModel model = *scenario.model;
+    PlanarModel model = *scenario.planar().model;
     model.obstacles.push_back({"P", Polygon{{{9, 9}, {10, 9}, {9, 10}}}});
-    scenario.model = std::make_shared<PlanarModel>(model);
+    scenario.planar().model = std::make_shared<PlanarModel>(model);
     scenario.methods.clear();
-    const Attempt attempt = solve(scenario);
+    const Attempt attempt = solve(scenario, {{"search", "paper"}});
     EXPECT_EQ(attempt.status, ob::PlannerStatus::ABORT);
-    EXPECT_EQ(attempt.hppm().reason(), "polygon");
+    EXPECT_EQ(attempt.hppm().reason(), "no_points");
 }
 
 TEST(HPPM, ASecondCallKeepsTheSolutionAndClearStartsAfresh)
@@ -116,7 +116,7 @@ TEST(HPPM, ExpiredConditionIsATimeout)
 {
     const Scenario scenario = paperCase(1);
     const Problem problem = makeProblem(scenario);
-    const ob::PlannerPtr planner = makePlanner("hppm", {problem.si, problem.model}, scenario.methods.at("hppm"));
+    const ob::PlannerPtr planner = makePlanner("hppm", problem.context, scenario.methods.at("hppm"));
     planner->setProblemDefinition(problem.pdef);
     EXPECT_EQ(planner->solve(ob::plannerAlwaysTerminatingCondition()), ob::PlannerStatus::TIMEOUT);
 }
@@ -124,7 +124,7 @@ TEST(HPPM, ExpiredConditionIsATimeout)
 TEST(HPPM, RefusesParametersThatDoNotFit)
 {
     const Problem problem = makeProblem(paperCase(1));
-    HPPM planner(problem.si, problem.model);
+    HPPM planner(problem.si, problem.context.repulsion());
     EXPECT_THROW(planner.setForm("spiral"), std::invalid_argument);
     EXPECT_THROW(planner.setPointsPerLink(0), std::invalid_argument);
     EXPECT_THROW(planner.setRepulsion("0.1, 0.2, 0.3"), std::invalid_argument);
@@ -132,19 +132,29 @@ TEST(HPPM, RefusesParametersThatDoNotFit)
     EXPECT_THROW(planner.setRepulsion(""), std::invalid_argument);
     EXPECT_THROW(planner.setRows("1, 2; 3, 4"), std::invalid_argument);
     EXPECT_THROW(planner.setDirection("0, 0, 0"), std::invalid_argument);
-    EXPECT_THROW(planner.setStrength(0.0), std::invalid_argument);
+    EXPECT_THROW(planner.setStrength("0"), std::invalid_argument);
     EXPECT_THROW(planner.setRadius(-0.02), std::invalid_argument);
     EXPECT_THROW(planner.setOrientation("up"), std::invalid_argument);
     EXPECT_THROW(planner.setLambdaMin(0.0), std::invalid_argument);
     EXPECT_THROW(planner.setLambdaMax(0.9), std::invalid_argument);
-    EXPECT_THROW(planner.setMaxStep(0.0), std::invalid_argument);
+    EXPECT_THROW(planner.setMaxStep(-0.1), std::invalid_argument);
+    EXPECT_THROW(planner.setSearch("depth_first"), std::invalid_argument);
+    EXPECT_THROW(planner.setTries(0), std::invalid_argument);
+    EXPECT_THROW(planner.setPoleRows(3), std::invalid_argument);
+    EXPECT_THROW(planner.setPoles("springs"), std::invalid_argument);
+    EXPECT_THROW(planner.setTurns("1, 0"), std::invalid_argument);
+    EXPECT_THROW(planner.setTurns("0.5, 0, 0"), std::invalid_argument);
+    EXPECT_THROW(planner.setHeld("2, 0, 0"), std::invalid_argument);
+    EXPECT_THROW(planner.setHeldShare(1.0), std::invalid_argument);
+    EXPECT_THROW(planner.setTracedFrom("middle"), std::invalid_argument);
+    EXPECT_THROW(planner.setMaxDeviation(0.0), std::invalid_argument);
 }
 
 TEST(HPPM, ParametersReadBackAsTheyWereSet)
 {
     const Scenario scenario = paperCase(2);
     const Problem problem = makeProblem(scenario);
-    HPPM planner(problem.si, problem.model);
+    HPPM planner(problem.si, problem.context.repulsion());
     planner.setRows(scenario.methods.at("hppm").at("rows"));
     EXPECT_EQ(parseMatrix(planner.getRows()), parseMatrix(scenario.methods.at("hppm").at("rows")));
     planner.setDirection("1, 0, 0, 0, 0, 0, 0, 0.1");

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/ArmHomotopy.h"
+#include "kernel/FullHomotopy.h"
+#include "kernel/PointRepulsion.h"
+#include "kernel/SliceHomotopy.h"
 #include "kernel/Trace.h"
 #include "planners/NumberList.h"
 #include "scenario/Scenario.h"
@@ -19,7 +21,8 @@ inline Scenario paperCase(int number)
 
 struct PaperRecipe
 {
-    ArmHomotopy homotopy;
+    FullHomotopy full;
+    SliceHomotopy slice;  ///< the same curve in its plane
     TraceWindow window;
 };
 
@@ -35,18 +38,18 @@ inline PaperRecipe paperRecipe(int number, std::vector<double> repulsion = {}, i
         const Eigen::VectorXd prescribed = parseVector(recipe.at("repulsion"));
         repulsion.assign(prescribed.data(), prescribed.data() + prescribed.size());
     }
-    ArmRepulsion poles(*scenario.model, repulsion, points > 0 ? points : std::stoi(recipe.at("points_per_link")));
-    const Eigen::VectorXd &start = scenario.task.start;
-    const Eigen::VectorXd &goal = std::get<Eigen::VectorXd>(scenario.task.goal);
+    const auto poles = std::make_shared<PointRepulsion>(*scenario.planar().model, repulsion,
+                                                        points > 0 ? points : std::stoi(recipe.at("points_per_link")));
+    const Eigen::VectorXd &start = scenario.planar().task.start;
+    const Eigen::VectorXd &goal = std::get<Eigen::VectorXd>(scenario.planar().task.goal);
     TraceWindow window;
     if (recipe.count("lambda_max") > 0)
         window.lambdaMax = std::stod(recipe.at("lambda_max"));
     if (recipe.count("orientation") > 0)
         window.decreasing = recipe.at("orientation") == "decreasing";
-    if (recipe.count("direction") > 0)
-        return {ArmHomotopy::fromDirection(poles, start, goal, parseVector(recipe.at("direction")),
-                                           std::stod(recipe.at("strength"))),
-                window};
-    return {ArmHomotopy::fromRows(poles, start, goal, parseMatrix(recipe.at("rows"))), window};
+    const Eigen::MatrixXd rows = recipe.count("direction") > 0 ? rowsOfSlice(parseVector(recipe.at("direction")),
+                                                                             std::stod(recipe.at("strength")))
+                                                               : parseMatrix(recipe.at("rows"));
+    return {FullHomotopy(poles, start, goal, rows), SliceHomotopy::fromRows(poles, start, goal, rows), window};
 }
 }  // namespace narrows

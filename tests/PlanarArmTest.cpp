@@ -75,6 +75,17 @@ TEST(PlanarArm, MotionBoundsAreNeverExceeded)
     }
 }
 
+TEST(PlanarArm, NeighboursMeetAtAJoint)
+{
+    const PlanarArm arm = gripper();
+    EXPECT_TRUE(arm.areNeighbours(0, 1));
+    EXPECT_TRUE(arm.areNeighbours(3, 1));
+    EXPECT_TRUE(arm.areNeighbours(2, 3));  // the fingers
+    EXPECT_FALSE(arm.areNeighbours(0, 2));
+    EXPECT_FALSE(arm.areNeighbours(3, 0));
+    EXPECT_TRUE(PlanarArm({0, 0}, {{1.0, -1}, {1.0, -1}}).areNeighbours(0, 1));  // both on the base
+}
+
 TEST(PlanarArm, ReachIsTheLongestChain)
 {
     EXPECT_DOUBLE_EQ(gripper().reach(), 3.5);

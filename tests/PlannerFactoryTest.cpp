@@ -36,7 +36,7 @@ std::string refusal(const Action &action)
 std::string parameterRefusal(const std::string &planner, const std::string &parameter, const std::string &value)
 {
     const Problem problem = seededProblem();
-    return refusal<ParameterError>([&] { makePlanner(planner, {problem.si, problem.model}, {{parameter, value}}); });
+    return refusal<ParameterError>([&] { makePlanner(planner, problem.context, {{parameter, value}}); });
 }
 
 TEST(PlannerFactory, IsSortedAndNamesAreUnique)
@@ -54,7 +54,7 @@ TEST(PlannerFactory, SaysTruthfullyWhoPlansWithThreads)
 {
     const Problem problem = seededProblem();
     for (const PlannerEntry &entry : planners())
-        EXPECT_EQ(entry.threaded, entry.make({problem.si, problem.model})->getSpecs().multithreaded) << entry.name;
+        EXPECT_EQ(entry.threaded, entry.make(problem.context)->getSpecs().multithreaded) << entry.name;
 }
 
 TEST(PlannerFactory, ShowsSamplingPlannersNothingButTheSpace)
@@ -63,9 +63,9 @@ TEST(PlannerFactory, ShowsSamplingPlannersNothingButTheSpace)
     for (const PlannerEntry &entry : planners())
     {
         if (entry.usesModel)
-            EXPECT_THROW(makePlanner(entry.name, {problem.si, nullptr}), std::invalid_argument) << entry.name;
+            EXPECT_THROW(makePlanner(entry.name, {problem.si, nullptr, nullptr}), std::invalid_argument) << entry.name;
         else
-            EXPECT_NE(makePlanner(entry.name, {problem.si, nullptr}), nullptr) << entry.name;
+            EXPECT_NE(makePlanner(entry.name, {problem.si, nullptr, nullptr}), nullptr) << entry.name;
     }
     EXPECT_THROW(makePlanner("rrt", {}), std::invalid_argument);
 }
@@ -98,7 +98,7 @@ TEST(PlannerFactory, SetsParametersOfEveryKind)
     const Problem problem = seededProblem();
     const auto set = [&](const std::string &planner, const std::string &parameter, const std::string &value)
     {
-        const ob::PlannerPtr made = makePlanner(planner, {problem.si, problem.model}, {{parameter, value}});
+        const ob::PlannerPtr made = makePlanner(planner, problem.context, {{parameter, value}});
         std::string result;
         made->params().getParam(parameter, result);
         return result;

@@ -34,7 +34,9 @@ enum class Quirk
                             ///< exception
     StartNotMarked,         ///< getPlannerData() does not say which vertex is the start
     GoalNotMarked,          ///< getPlannerData() does not say which vertex is the goal
-    Leaks                   ///< never frees some states; the one quirk that no test would miss
+    // No test would miss these.
+    Leaks,         ///< never frees some states
+    Unrepeatable,  ///< compares costs that it has not set yet: what is done depends on what was in memory before
 };
 
 inline const std::map<std::string, std::set<Quirk>> quirks = {
@@ -47,7 +49,7 @@ inline const std::map<std::string, std::set<Quirk>> quirks = {
     {"cforest", {Quirk::InvalidStartNotNamed, Quirk::CrashesWithoutProblem}},
     {"lazyprm", {Quirk::Leaks}},
     {"lazyprmstar", {Quirk::Leaks}},
-    {"lbtrrt", {Quirk::TakesAllTime, Quirk::NoSecondSolve}},
+    {"lbtrrt", {Quirk::TakesAllTime, Quirk::NoSecondSolve, Quirk::Unrepeatable}},
     {"rrtsharp", {Quirk::CrashesWithoutProblem}},
     {"rrtxstatic", {Quirk::CrashesWithoutProblem}},
     {"sorrtstar", {Quirk::Leaks}},
@@ -103,7 +105,7 @@ inline Trial makeTrial(const std::string &name, Problem problem, std::map<std::s
     if (name == "hppm")  // a curve that goes round the circle; with the defaults it escapes
         parameters.insert({{"rows", "1, 3, 2; 1, -1, 4; 1, 1, -2"}, {"points_per_link", "5"}, {"repulsion", "0.1"}});
     Trial trial{std::move(problem), nullptr};
-    trial.planner = makePlanner(name, {trial.problem.si, trial.problem.model}, parameters);
+    trial.planner = makePlanner(name, trial.problem.context, parameters);
     trial.planner->setProblemDefinition(trial.problem.pdef);
     trial.planner->setup();
     return trial;

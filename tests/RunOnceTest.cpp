@@ -23,7 +23,7 @@ TEST(RunOnce, SolvesVerifiesAndMeasures)
     EXPECT_FALSE(record.prescribed);
     ASSERT_GE(record.path.size(), 2u);
     EXPECT_EQ(record.waypoints, static_cast<std::int64_t>(record.path.size()));
-    EXPECT_TRUE(record.path.front().isApprox(spec.scenario->task.start));
+    EXPECT_TRUE(record.path.front().isApprox(spec.scenario->planar().task.start));
     EXPECT_GT(record.clearance.value(), 0.0);
     EXPECT_GT(record.length.value(), 0.0);
     EXPECT_GT(record.stateChecks.value() + record.motionChecks.value(), 0);

@@ -22,19 +22,19 @@ const std::string folder = NARROWS_SOURCE_DIR "/experiments/scenarios/";
 
 const VectorXd &goalState(const Scenario &scenario)
 {
-    return std::get<VectorXd>(scenario.task.goal);
+    return std::get<VectorXd>(scenario.planar().task.goal);
 }
 
 double clearance(const Scenario &scenario, const VectorXd &q)
 {
-    const PlanarArm &arm = scenario.model->arm;
-    const auto checker = makeAnalyticChecker(*scenario.model);
+    const PlanarArm &arm = scenario.planar().model->arm;
+    const auto checker = makeAnalyticChecker(*scenario.planar().model);
     std::vector<Vector2d> points;
     arm.place(q, points);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < arm.links().size(); ++i)
         least = std::min(
-            least, checker->linkClearance(points[static_cast<std::size_t>(arm.links()[i].parent + 1)], points[i + 1]));
+            least, checker->clearance({points[static_cast<std::size_t>(arm.links()[i].parent + 1)], points[i + 1], arm.radius()}));
     return least;
 }
 
@@ -75,10 +75,10 @@ TEST(ScenarioReader, ReadsCase1)
     const Scenario scenario = readScenario(folder + "hppm_case1.yaml");
     EXPECT_EQ(scenario.name, "hppm-case-1");
     EXPECT_THAT(scenario.source, testing::HasSubstr("Table 1"));
-    EXPECT_EQ(scenario.convention, AngleConvention::Absolute);
+    EXPECT_EQ(scenario.planar().convention, AngleConvention::Absolute);
     EXPECT_THAT(scenario.text, testing::HasSubstr("points_per_link: 5"));
 
-    const PlanarArm &arm = scenario.model->arm;
+    const PlanarArm &arm = scenario.planar().model->arm;
     ASSERT_EQ(arm.linkCount(), 3);
     EXPECT_DOUBLE_EQ(arm.links()[0].length, std::sqrt(5.0));
     EXPECT_EQ(arm.links()[0].parent, -1);
@@ -86,9 +86,9 @@ TEST(ScenarioReader, ReadsCase1)
     EXPECT_EQ(arm.radius(), 0.0);
     EXPECT_FALSE(arm.slide());
 
-    EXPECT_TRUE(scenario.task.start.isApprox(Eigen::Vector3d(std::atan(0.5), -M_PI / 4, M_PI / 4), 1e-15));
+    EXPECT_TRUE(scenario.planar().task.start.isApprox(Eigen::Vector3d(std::atan(0.5), -M_PI / 4, M_PI / 4), 1e-15));
     EXPECT_TRUE(goalState(scenario).isApprox(Eigen::Vector3d(std::atan(2.0), M_PI / 4, M_PI / 4), 1e-15));
-    EXPECT_NEAR(clearance(scenario, scenario.task.start), 0.972, 5e-4);
+    EXPECT_NEAR(clearance(scenario, scenario.planar().task.start), 0.972, 5e-4);
     EXPECT_NEAR(clearance(scenario, goalState(scenario)), 0.0564, 5e-5);
 
     const auto &hppm = scenario.methods.at("hppm");
@@ -101,11 +101,11 @@ TEST(ScenarioReader, ReadsCase1)
 TEST(ScenarioReader, ReadsCase2)
 {
     const Scenario scenario = readScenario(folder + "hppm_case2.yaml");
-    const PlanarArm &arm = scenario.model->arm;
+    const PlanarArm &arm = scenario.planar().model->arm;
     ASSERT_EQ(arm.linkCount(), 8);
     EXPECT_EQ(arm.links()[6].parent, 5);
     EXPECT_EQ(arm.links()[7].parent, 5);
-    const auto &wall = std::get<Superellipse>(scenario.model->obstacles[1].shape);
+    const auto &wall = std::get<Superellipse>(scenario.planar().model->obstacles[1].shape);
     EXPECT_TRUE(wall.halfExtents.array().pow(4.0).isApprox(Eigen::Array2d(15.0, 0.05), 1e-14));
     EXPECT_EQ(wall.exponent, 4.0);
 
@@ -113,7 +113,7 @@ TEST(ScenarioReader, ReadsCase2)
     arm.place(goalState(scenario), points);
     EXPECT_LT((points[7] - Vector2d(4.05, 6.75)).norm(), 0.01) << "the tip of the first finger as printed";
     EXPECT_LT((points[8] - Vector2d(4.05, 6.25)).norm(), 0.01) << "the tip of the second finger as printed";
-    EXPECT_NEAR(clearance(scenario, scenario.task.start), 2.061, 5e-4);
+    EXPECT_NEAR(clearance(scenario, scenario.planar().task.start), 2.061, 5e-4);
     EXPECT_NEAR(clearance(scenario, goalState(scenario)), 0.0155, 5e-5);
     EXPECT_EQ(scenario.methods.at("hppm").at("lambda_max"), "1.5");
     expectPrintedConstants(parseRows(scenario.methods.at("hppm").at("rows")), goalState(scenario),
@@ -123,9 +123,9 @@ TEST(ScenarioReader, ReadsCase2)
 TEST(ScenarioReader, ReadsCase3)
 {
     const Scenario scenario = readScenario(folder + "hppm_case3.yaml");
-    ASSERT_EQ(scenario.model->arm.linkCount(), 20);
-    ASSERT_EQ(scenario.model->obstacles.size(), 7u);
-    EXPECT_NEAR(clearance(scenario, scenario.task.start), 0.270, 5e-4);
+    ASSERT_EQ(scenario.planar().model->arm.linkCount(), 20);
+    ASSERT_EQ(scenario.planar().model->obstacles.size(), 7u);
+    EXPECT_NEAR(clearance(scenario, scenario.planar().task.start), 0.270, 5e-4);
     EXPECT_NEAR(clearance(scenario, goalState(scenario)), 0.1239, 5e-5);
 
     // The two rows that the paper prints (Table 3).
@@ -144,24 +144,24 @@ TEST(ScenarioReader, ReadsCase3)
 TEST(ScenarioReader, ReadsAChainWithSlideLimitsAndTipGoal)
 {
     const Scenario scenario = readScenario(folder + "gripper_slide.yaml");
-    const PlanarArm &arm = scenario.model->arm;
+    const PlanarArm &arm = scenario.planar().model->arm;
     ASSERT_TRUE(arm.slide());
     EXPECT_EQ(arm.slide()->lower, -1.5);
     EXPECT_EQ(arm.dimension(), 6);
     EXPECT_EQ(arm.radius(), 0.04);
-    EXPECT_EQ(scenario.convention, AngleConvention::Relative);
-    EXPECT_EQ(scenario.task.limits.convention, AngleConvention::Relative);
-    EXPECT_DOUBLE_EQ(scenario.task.limits.angles[1]->upper, M_PI * 2.0 / 3.0);
+    EXPECT_EQ(scenario.planar().convention, AngleConvention::Relative);
+    EXPECT_EQ(scenario.planar().task.limits.convention, AngleConvention::Relative);
+    EXPECT_DOUBLE_EQ(scenario.planar().task.limits.angles[1]->upper, M_PI * 2.0 / 3.0);
 
     VectorXd expected(6);
     expected << -1.2, 10, 15, 15, 35, -5;  // relative 10, 5, 0, 20 and -20 degrees
     expected.tail(5) *= M_PI / 180.0;
-    EXPECT_TRUE(scenario.task.start.isApprox(expected, 1e-14)) << scenario.task.start.transpose();
-    const auto &goal = std::get<TipGoal>(scenario.task.goal);
+    EXPECT_TRUE(scenario.planar().task.start.isApprox(expected, 1e-14)) << scenario.planar().task.start.transpose();
+    const auto &goal = std::get<TipGoal>(scenario.planar().task.goal);
     EXPECT_EQ(goal.link, 2);
     EXPECT_EQ(goal.point, Vector2d(0.2, 2.6));
     EXPECT_EQ(goal.tolerance, 0.05);
-    EXPECT_EQ(std::get<Polygon>(scenario.model->obstacles[0].shape).vertices.size(), 4u);
+    EXPECT_EQ(std::get<Polygon>(scenario.planar().model->obstacles[0].shape).vertices.size(), 4u);
     EXPECT_TRUE(scenario.methods.empty());
 }
 
@@ -180,19 +180,19 @@ TEST(ScenarioReader, EveryScenarioOfTheProjectIsSoundAndHasItsOwnName)
 TEST(ScenarioReader, FillsInDefaults)
 {
     const Scenario scenario = parseScenario(smallFile("", "{angles: [0, 90 deg]}"), "text");
-    EXPECT_EQ(scenario.model->arm.base(), Vector2d::Zero());
-    EXPECT_EQ(scenario.model->obstacles[0].name, "obstacle 1");
+    EXPECT_EQ(scenario.planar().model->arm.base(), Vector2d::Zero());
+    EXPECT_EQ(scenario.planar().model->obstacles[0].name, "obstacle 1");
     EXPECT_EQ(scenario.source, "");
-    ASSERT_EQ(scenario.task.limits.angles.size(), 2u);
-    EXPECT_FALSE(scenario.task.limits.angles[0]);
-    EXPECT_EQ(std::get<TipGoal>(scenario.task.goal).link, 1) << "the last link";
+    ASSERT_EQ(scenario.planar().task.limits.angles.size(), 2u);
+    EXPECT_FALSE(scenario.planar().task.limits.angles[0]);
+    EXPECT_EQ(std::get<TipGoal>(scenario.planar().task.goal).link, 1) << "the last link";
 }
 
 TEST(ScenarioReader, PolygonsAreStoredCounterClockwise)
 {
     const std::string clockwise = "[{kind: polygon, vertices: [[5, 5], [5, 6], [6, 5]]}]";
     const Scenario scenario = parseScenario(smallFile("", "{angles: [0, 0]}", "{angles: [1, 1]}", clockwise), "text");
-    const auto &v = std::get<Polygon>(scenario.model->obstacles[0].shape).vertices;
+    const auto &v = std::get<Polygon>(scenario.planar().model->obstacles[0].shape).vertices;
     const Vector2d a = v[1] - v[0];
     const Vector2d b = v[2] - v[1];
     EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0.0);
@@ -201,7 +201,7 @@ TEST(ScenarioReader, PolygonsAreStoredCounterClockwise)
 TEST(ScenarioReader, AnglesOfPointsLieAboveMinusPi)
 {
     const Scenario scenario = parseScenario(smallFile("", "{points: [[-1, 0], [-2, -0.0]]}"), "text");
-    EXPECT_EQ(scenario.task.start, Vector2d(M_PI, M_PI)) << "not -pi, which atan2 gives for a negative zero";
+    EXPECT_EQ(scenario.planar().task.start, Vector2d(M_PI, M_PI)) << "not -pi, which atan2 gives for a negative zero";
 }
 
 TEST(ScenarioReader, PointsTakeTheTurnThatIsWithinLimits)
@@ -209,11 +209,11 @@ TEST(ScenarioReader, PointsTakeTheTurnThatIsWithinLimits)
     // Straight down is -90 degrees or 270; only the latter is allowed.
     const std::string down = "{points: [[0, -1], [0, -2]]}";
     const Scenario absolute = parseScenario(smallFile(", limits: [0, 360 deg]", down), "text");
-    EXPECT_TRUE(absolute.task.start.isApprox(Vector2d(1.5 * M_PI, 1.5 * M_PI), 1e-15));
+    EXPECT_TRUE(absolute.planar().task.start.isApprox(Vector2d(1.5 * M_PI, 1.5 * M_PI), 1e-15));
 
     const Scenario relative =
         parseScenario(smallFile(", angles: relative, limits: [[0, 360 deg], [-1, 1]]", down), "text");
-    EXPECT_TRUE(relative.task.start.isApprox(Vector2d(1.5 * M_PI, 1.5 * M_PI), 1e-15));
+    EXPECT_TRUE(relative.planar().task.start.isApprox(Vector2d(1.5 * M_PI, 1.5 * M_PI), 1e-15));
 }
 
 TEST(ScenarioReader, PrintedPointsMayBeRoundedALittle)
@@ -238,8 +238,8 @@ TEST(ScenarioReader, TheAxisOfASlideIsNormalised)
         "5]}}}\n"
         "obstacles: []\nstart: {slide: 5, points: [[5, 4]]}\ngoal: {tip: [2, 0], tolerance: 0.1}\n",
         "text");
-    EXPECT_TRUE(scenario.model->arm.slide()->axis.isApprox(Vector2d(0.6, 0.8), 1e-15));
-    EXPECT_TRUE(scenario.task.start.isApprox(Vector2d(5.0, 0.0), 1e-15));
+    EXPECT_TRUE(scenario.planar().model->arm.slide()->axis.isApprox(Vector2d(0.6, 0.8), 1e-15));
+    EXPECT_TRUE(scenario.planar().task.start.isApprox(Vector2d(5.0, 0.0), 1e-15));
 }
 
 TEST(ScenarioReader, OtherPlannersTakeAnyScalar)

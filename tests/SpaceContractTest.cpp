@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
@@ -8,6 +9,7 @@
 #include <boost/math/constants/constants.hpp>
 
 #include "spaces/PlanarArmStateSpace.h"
+#include "spaces/SpatialArmStateSpace.h"
 
 namespace narrows
 {
@@ -28,24 +30,59 @@ PlanarArm makeArm(bool slides)
     return PlanarArm({0.0, 0.0}, {{1.0, -1}, {0.8, 0}, {0.3, 1}, {0.3, 1}}, 0.0, slide);
 }
 
+/// A snake on a slide: universal joints, one of them with a limit of its own.
+SpatialArm makeSnake(bool limited)
+{
+    SpatialArm free = universalChain({0.0, 0.0, 0.0}, {1.0, 0.8, 0.5}, 0.05,
+                                     std::make_pair(Eigen::Vector3d::UnitX().eval(), Interval{-0.5, 2.0}), 0.9);
+    std::vector<SpatialJoint> joints = free.joints();
+    if (limited)
+        joints[3].limits = Interval{0.1, 2.0};
+    return SpatialArm(joints, free.links(), free.universalLimits());
+}
+
+/// An arm of revolute joints that turn about axes in different directions.
+SpatialArm makeElbow(bool limited)
+{
+    std::vector<DenavitHartenberg> rows(4);
+    rows[0] = {0.0, 0.5, 0.0, pi / 2, std::nullopt, 0.05};
+    rows[1] = {0.0, 0.0, 0.8, 0.0, std::nullopt, 0.05};
+    rows[2] = {0.0, 0.0, 0.3, pi / 2, std::nullopt, 0.05};
+    rows[3] = {0.0, 0.4, 0.0, 0.0, std::nullopt, 0.05};
+    if (limited)
+    {
+        rows[1].limits = Interval{-2.0, 1.5};
+        rows[2].limits = Interval{0.1, 4.0};
+    }
+    return denavitHartenbergArm(Eigen::Isometry3d::Identity(), rows);
+}
+
+std::vector<double> coordinates(const PlanarArm &arm, const Eigen::VectorXd &q)
+{
+    std::vector<Eigen::Vector2d> points;
+    arm.place(q, points);
+    return {points.front().data(), points.front().data() + 2 * points.size()};
+}
+
+std::vector<double> coordinates(const SpatialArm &arm, const Eigen::VectorXd &q)
+{
+    SpatialArm::Placement placement;
+    arm.place(q, placement);
+    return {placement.points.front().data(), placement.points.front().data() + 3 * placement.points.size()};
+}
+
+/// A space and where its arm's points are in a configuration.
 struct Variant
 {
-    AngleConvention convention;
-    FreeJoints freeJoints;
-    bool limited;  ///< links 1 and 2 have limits
-    bool slides;
-
-    std::string name() const
-    {
-        return std::string(convention == AngleConvention::Absolute ? "Absolute" : "Relative") +
-               (freeJoints == FreeJoints::Wrapping ? "Wrapping" : "Line") + (limited ? "Limited" : "") +
-               (slides ? "Slide" : "");
-    }
+    std::string name;
+    std::function<std::shared_ptr<ArmStateSpace>()> make;
+    std::function<std::vector<double>(const Eigen::VectorXd &)> place;
+    unsigned int tipDimension;
 };
 
 std::ostream &operator<<(std::ostream &out, const Variant &variant)
 {
-    return out << variant.name();
+    return out << variant.name;
 }
 
 class SpaceContract : public testing::TestWithParam<Variant>
@@ -55,14 +92,7 @@ protected:
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
         ompl::RNG::setSeed(seed);
-        JointLimits limits{GetParam().convention, std::vector<std::optional<Interval>>(4)};
-        if (GetParam().limited)
-        {
-            limits.angles[1] = Interval{-2.0, 1.5};
-            limits.angles[2] = Interval{0.1, 4.0};  // beyond pi: a bounded joint never wraps
-        }
-        space_ = std::make_shared<PlanarArmStateSpace>(makeArm(GetParam().slides), GetParam().convention,
-                                                       GetParam().freeJoints, limits);
+        space_ = GetParam().make();
         space_->setup();
         sampler_ = space_->allocStateSampler();
     }
@@ -86,10 +116,10 @@ protected:
         return state;
     }
 
-    Eigen::VectorXd absolute(const ob::ScopedState<> &state) const
+    Eigen::VectorXd configuration(const ob::ScopedState<> &state) const
     {
         Eigen::VectorXd q;
-        space_->toAbsolute(state.get(), q);
+        space_->toConfiguration(state.get(), q);
         return q;
     }
 
@@ -100,20 +130,18 @@ protected:
         return delta;
     }
 
-    /// The largest distance of any link's tip between two configurations.
+    /// The largest difference of any coordinate of the arm's points between two configurations.
     double apart(const Eigen::VectorXd &p, const Eigen::VectorXd &q) const
     {
-        std::vector<Eigen::Vector2d> a;
-        std::vector<Eigen::Vector2d> b;
-        space_->arm().place(p, a);
-        space_->arm().place(q, b);
+        const std::vector<double> a = GetParam().place(p);
+        const std::vector<double> b = GetParam().place(q);
         double most = 0.0;
         for (std::size_t i = 0; i < a.size(); ++i)
-            most = std::max(most, (a[i] - b[i]).norm());
+            most = std::max(most, std::abs(a[i] - b[i]));
         return most;
     }
 
-    std::shared_ptr<PlanarArmStateSpace> space_;
+    std::shared_ptr<ArmStateSpace> space_;
     ob::StateSamplerPtr sampler_;
 };
 
@@ -207,7 +235,7 @@ TEST_P(SpaceContract, DisplacementIsWhatInterpolationTravels)
         const ob::ScopedState<> b = sample();
         const Eigen::VectorXd delta = displacement(a, b);
         for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0})
-            EXPECT_LT(apart(absolute(a) + t * delta, absolute(between(a, b, t))), rounding) << "t " << t;
+            EXPECT_LT(apart(configuration(a) + t * delta, configuration(between(a, b, t))), rounding) << "t " << t;
     }
 }
 
@@ -272,13 +300,13 @@ TEST_P(SpaceContract, SamplesFillTheBounds)
     }
 }
 
-TEST_P(SpaceContract, AbsoluteAnglesRoundTrip)
+TEST_P(SpaceContract, ConfigurationsRoundTrip)
 {
     for (int i = 0; i < tries; ++i)
     {
         const ob::ScopedState<> state = sample();
         ob::ScopedState<> back(space_);
-        space_->fromAbsolute(absolute(state), back.get());
+        space_->fromConfiguration(configuration(state), back.get());
         EXPECT_NEAR(distance(state, back), 0.0, rounding);
     }
 }
@@ -295,7 +323,7 @@ TEST_P(SpaceContract, UnwrappedPathsAreContinuous)
     Eigen::VectorXd delta;
     for (unsigned int i = 0; i < rows.size(); ++i)
     {
-        space_->toAbsolute(path.getState(i), q);
+        space_->toConfiguration(path.getState(i), q);
         EXPECT_LT(apart(rows[i], q), 20 * rounding);
         if (i == 0)
             continue;
@@ -307,26 +335,68 @@ TEST_P(SpaceContract, UnwrappedPathsAreContinuous)
 TEST_P(SpaceContract, ProjectsToTheTipOfTheLastLink)
 {
     const ob::ScopedState<> state = sample();
-    std::vector<Eigen::Vector2d> points;
-    space_->arm().place(absolute(state), points);
-    Eigen::VectorXd projection(2);
+    const std::vector<double> points = GetParam().place(configuration(state));
+    Eigen::VectorXd projection(GetParam().tipDimension);
     space_->getDefaultProjection()->project(state.get(), projection);
-    EXPECT_LT((projection - points.back()).norm(), rounding);
+    ASSERT_EQ(space_->getDefaultProjection()->getDimension(), GetParam().tipDimension);
+    for (unsigned int i = 0; i < GetParam().tipDimension; ++i)
+        EXPECT_NEAR(projection[i], points[points.size() - GetParam().tipDimension + i], rounding);
+}
+
+TEST_P(SpaceContract, TellsItsLimits)
+{
+    const ob::RealVectorBounds &bounds = space_->getBounds();
+    ASSERT_EQ(space_->joints().size(), space_->getDimension());
+    for (unsigned int joint = 0; joint < space_->getDimension(); ++joint)
+    {
+        const std::optional<Interval> &limits = space_->joints()[joint].limits;
+        EXPECT_EQ(bounds.low[joint], limits ? limits->lower : -pi);
+        EXPECT_EQ(bounds.high[joint], limits ? limits->upper : pi);
+        EXPECT_FALSE(limits && space_->wraps(joint));
+    }
+}
+
+Variant planarVariant(AngleConvention convention, FreeJoints freeJoints, bool limited, bool slides)
+{
+    JointLimits limits{convention, std::vector<std::optional<Interval>>(4)};
+    if (limited)
+    {
+        limits.angles[1] = Interval{-2.0, 1.5};
+        limits.angles[2] = Interval{0.1, 4.0};  // beyond pi: a bounded joint never wraps
+    }
+    const PlanarArm arm = makeArm(slides);
+    return {std::string(convention == AngleConvention::Absolute ? "Absolute" : "Relative") +
+                (freeJoints == FreeJoints::Wrapping ? "Wrapping" : "Line") + (limited ? "Limited" : "") +
+                (slides ? "Slide" : ""),
+            [=] { return std::make_shared<PlanarArmStateSpace>(arm, convention, freeJoints, limits); },
+            [=](const Eigen::VectorXd &q) { return coordinates(arm, q); }, 2};
+}
+
+Variant spatialVariant(const std::string &name, const SpatialArm &arm, FreeJoints freeJoints)
+{
+    return {name + (freeJoints == FreeJoints::Wrapping ? "Wrapping" : "Line"),
+            [=] { return std::make_shared<SpatialArmStateSpace>(arm, freeJoints); },
+            [=](const Eigen::VectorXd &q) { return coordinates(arm, q); }, 3};
 }
 
 std::vector<Variant> variants()
 {
     std::vector<Variant> all;
-    for (const AngleConvention convention : {AngleConvention::Absolute, AngleConvention::Relative})
-        for (const FreeJoints freeJoints : {FreeJoints::Wrapping, FreeJoints::Unbounded})
-            for (const bool limited : {false, true})
+    for (const FreeJoints freeJoints : {FreeJoints::Wrapping, FreeJoints::Unbounded})
+        for (const bool limited : {false, true})
+        {
+            for (const AngleConvention convention : {AngleConvention::Absolute, AngleConvention::Relative})
                 for (const bool slides : {false, true})
-                    all.push_back({convention, freeJoints, limited, slides});
+                    all.push_back(planarVariant(convention, freeJoints, limited, slides));
+            const std::string suffix = limited ? "Limited" : "";
+            all.push_back(spatialVariant("Snake" + suffix, makeSnake(limited), freeJoints));
+            all.push_back(spatialVariant("Elbow" + suffix, makeElbow(limited), freeJoints));
+        }
     return all;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SpaceContract, testing::ValuesIn(variants()),
-                         [](const auto &variant) { return variant.param.name(); });
+                         [](const auto &variant) { return variant.param.name; });
 
 TEST(PlanarArmStateSpace, RefusesLimitsOfTheOtherConvention)
 {

@@ -49,7 +49,7 @@ TEST(Quartiles, AgreeWithNumpy)
 RunRow row(const std::string &label, Outcome outcome, std::optional<double> cpu, const std::string &reason = "")
 {
     RunRow result;
-    result.instance = "case_analytic";
+    result.instance = result.group = "case_analytic";
     result.label = label;
     result.outcome = outcome;
     result.reason = reason;
@@ -84,14 +84,35 @@ TEST(Summary, SortsBySuccessThenTimeAndIgnoresTimesOfUnsolvedRuns)
     EXPECT_EQ(rows[3].failures, "crash (SIGSEGV) 2, timeout 1");
 }
 
-TEST(Summary, KeepsTheOrderOfInstances)
+TEST(Summary, KeepsTheOrderOfGroups)
 {
     std::vector<RunRow> runs{row("a", Outcome::Solved, 1.0), row("a", Outcome::Solved, 1.0)};
-    runs[0].instance = "zebra";
-    runs[1].instance = "ant";
+    runs[0].group = "zebra";
+    runs[1].group = "ant";
     const std::vector<SummaryRow> rows = summarize(runs);
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[0].instance, "zebra");
+    EXPECT_EQ(rows[0].group, "zebra");
+}
+
+TEST(Summary, PutsScenesOfOneGroupTogetherAndCountsThoseThatHaveASolution)
+{
+    std::vector<RunRow> runs{row("a", Outcome::Solved, 1.0), row("a", Outcome::Timeout, {}),
+                             row("a", Outcome::Timeout, {}), row("b", Outcome::Timeout, {}),
+                             row("b", Outcome::Solved, 3.0), row("b", Outcome::Timeout, {})};
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        runs[i].instance = "scene" + std::to_string(i % 3);
+    const std::vector<SummaryRow> rows = summarize(runs);
+    ASSERT_EQ(rows.size(), 2u);
+    for (const SummaryRow &entry : rows)
+    {
+        EXPECT_EQ(entry.runs, 3);
+        EXPECT_EQ(entry.solved, 1);
+        EXPECT_EQ(entry.instances, 3);
+        EXPECT_EQ(entry.solvableInstances, 2);
+    }
+    EXPECT_THAT(summaryText(rows), testing::HasSubstr("case_analytic (3 instances, 2 of them solved by some planner)"));
+    runs.resize(1);
+    EXPECT_THAT(summaryMarkdown(summarize(runs)), testing::HasSubstr("### case_analytic\n"));
 }
 
 TEST(Summary, TablesMarkPrescribedRowsAndSayWhatMediansAreOver)

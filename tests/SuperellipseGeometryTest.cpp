@@ -2,6 +2,7 @@
 #include "kernel/SuperellipseGeometry.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,35 @@ TEST_P(SuperellipseOfExponent, DistancesAgreeWithADenseOutline)
         }
     }
     EXPECT_GT(apart, 1000);
+}
+
+TEST_P(SuperellipseOfExponent, SeparationsShowALineBetween)
+{
+    std::mt19937 generator(8);
+    std::uniform_real_distribution<double> uniform(-3.0, 3.0);
+    int apart = 0;
+    for (int trial = 0; trial < 2000; ++trial)
+    {
+        const Vector2d a(uniform(generator), uniform(generator));
+        const Vector2d b(uniform(generator), uniform(generator));
+        const double exact = geometry.distance(a, b);
+        const auto found = geometry.separate(a, b, 0.0, std::numeric_limits<double>::infinity());
+        if (exact == 0.0)
+        {
+            EXPECT_EQ(found.lower, 0.0) << "trial " << trial;
+            continue;
+        }
+        ++apart;
+        EXPECT_LE(found.lower, exact + 1e-11) << "trial " << trial;
+        EXPECT_GE(found.upper, exact - 1e-11) << "trial " << trial;
+        EXPECT_LE(found.upper - found.lower, found.lower / 32.0 + 1e-11) << "trial " << trial;
+        const Vector2d &end = geometry.distance(a, a) < geometry.distance(b, b) ? a : b;
+        const double between = found.direction.dot(end - geometry.center()) - geometry.support(found.direction);
+        EXPECT_GE(between, found.lower - 1e-11) << "trial " << trial;
+        EXPECT_NEAR(found.direction.norm(), 1.0, 1e-12);
+        EXPECT_GT(geometry.separate(a, b, 0.0, 0.5 * exact).lower, 0.5 * exact) << "trial " << trial;
+    }
+    EXPECT_GT(apart, 900);
 }
 
 TEST_P(SuperellipseOfExponent, SlopeIsTheDerivativeOfValue)

@@ -8,7 +8,7 @@
 
 #include "validity/ConvexSets.h"
 
-namespace narrows
+namespace narrows::proof
 {
 namespace
 {
@@ -16,27 +16,27 @@ using Eigen::Vector2d;
 
 const double pi = std::acos(-1.0);
 
-ConvexSet only(const PlanarObstacle &obstacle)
+ConvexSet<2> only(const PlanarObstacle &obstacle)
 {
-    const std::vector<ConvexSet> sets = convexSets(obstacle);
-    EXPECT_EQ(sets.size(), 1u);
-    return sets.front();
+    const Parts<2> parts = partsOf({obstacle}, 0.0);
+    EXPECT_EQ(parts.all.size(), 1u);
+    return parts.all.front().set;
 }
 
-ConvexSet unitSquare()
+ConvexSet<2> unitSquare()
 {
     return only({"square", Polygon{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}});
 }
 
 /// To full precision, from a direction that is of no help.
-Separation distanceOf(const ConvexSet &set, const Vector2d &a, const Vector2d &b)
+Separation<2> distanceOf(const ConvexSet<2> &set, const Vector2d &a, const Vector2d &b)
 {
-    return separate(set, a, b, Vector2d(0.6, -0.8), {});
+    return separate<2>(set, {a, b}, Vector2d(0.6, -0.8), {});
 }
 
-void expectDistance(const ConvexSet &set, const Vector2d &a, const Vector2d &b, double expected)
+void expectDistance(const ConvexSet<2> &set, const Vector2d &a, const Vector2d &b, double expected)
 {
-    const Separation found = distanceOf(set, a, b);
+    const Separation<2> found = distanceOf(set, a, b);
     EXPECT_NEAR(found.lower, expected, 1e-12);
     EXPECT_NEAR(found.upper, expected, 1e-12);
     EXPECT_NEAR(found.direction.norm(), 1.0, 1e-12);
@@ -54,7 +54,7 @@ TEST(SupportDistance, OfHullsByHand)
 
 TEST(SupportDistance, OfASuperellipseByHand)
 {
-    const ConvexSet shape = only({"E", Superellipse{{1, 1}, {2, 1}, 4.0}});
+    const ConvexSet<2> shape = only({"E", Superellipse{{1, 1}, {2, 1}, 4.0}});
     expectDistance(shape, {4, 0}, {4, 3}, 1.0);
     expectDistance(shape, {-5, 2.25}, {5, 2.25}, 0.25);
     // The tangent with slope -a/b touches where both terms are 1/2.
@@ -66,12 +66,12 @@ TEST(SupportDistance, OfASuperellipseByHand)
 
 TEST(SupportDistance, HasNoSeparatingLineForSetsThatMeet)
 {
-    for (const ConvexSet &set : {unitSquare(), only({"E", Superellipse{{0.5, 0.5}, {0.5, 0.4}, 4.0}})})
+    for (const ConvexSet<2> &set : {unitSquare(), only({"E", Superellipse{{0.5, 0.5}, {0.5, 0.4}, 4.0}})})
     {
         for (const auto &[a, b] :
              {std::pair<Vector2d, Vector2d>{{-1, 0.5}, {2, 0.6}}, {{0.4, 0.4}, {0.6, 0.5}}, {{0.5, 0.5}, {0.5, 7}}})
         {
-            const Separation found = distanceOf(set, a, b);
+            const Separation<2> found = distanceOf(set, a, b);
             EXPECT_LE(found.lower, 0.0);
             EXPECT_EQ(found.upper, 0.0);
         }
@@ -80,12 +80,12 @@ TEST(SupportDistance, HasNoSeparatingLineForSetsThatMeet)
 
 TEST(SupportDistance, StaysSharpNextToContact)
 {
-    const ConvexSet square = unitSquare();
+    const ConvexSet<2> square = unitSquare();
     for (const double distance : {1e-7, 1e-10, 1e-12})
     {
-        const Separation flat = distanceOf(square, {-3, 1 + distance}, {5, 1 + distance});
+        const Separation<2> flat = distanceOf(square, {-3, 1 + distance}, {5, 1 + distance});
         EXPECT_NEAR(flat.lower, distance, 4e-16);
-        const Separation overlapping = distanceOf(square, {-3, 1 - distance}, {5, 1 - distance});
+        const Separation<2> overlapping = distanceOf(square, {-3, 1 - distance}, {5, 1 - distance});
         EXPECT_LE(overlapping.lower, 0.0);
         EXPECT_LE(overlapping.upper, 0.0);
     }
@@ -95,13 +95,13 @@ TEST(SupportDistance, StopsAtTheGoal)
 {
     SeparationGoal goal;
     goal.enough = 0.5;
-    const Separation enough = separate(unitSquare(), {3, 0.2}, {4, 9}, Vector2d(0.8, 0.6), goal);
+    const Separation<2> enough = separate<2>(unitSquare(), {{3, 0.2}, {4, 9}}, Vector2d(0.8, 0.6), goal);
     EXPECT_GE(enough.lower, 0.5);
     EXPECT_LT(enough.lower, 1.99);  // the distance is 2, but nobody asked
 
     goal = {};
     goal.thickness = 4.0;
-    EXPECT_LE(separate(unitSquare(), {3, 0.2}, {4, 9}, Vector2d(0.0, 1.0), goal).upper, 4.0);
+    EXPECT_LE(separate<2>(unitSquare(), {{3, 0.2}, {4, 9}}, Vector2d(0.0, 1.0), goal).upper, 4.0);
 }
 
 /// Bounds from both sides against a grid over the segment and the boundary.
@@ -118,7 +118,7 @@ TEST(SupportDistance, AgreesWithBruteForce)
                                  p};
         const Vector2d a(3 * uniform(generator), 3 * uniform(generator)),
             b(3 * uniform(generator), 3 * uniform(generator));
-        const Separation found = distanceOf(only({"E", shape}), a, b);
+        const Separation<2> found = distanceOf(only({"E", shape}), a, b);
         double least = 1e9;
         for (int i = 0; i < turns; ++i)
         {
@@ -138,4 +138,4 @@ TEST(SupportDistance, AgreesWithBruteForce)
     }
 }
 }  // namespace
-}  // namespace narrows
+}  // namespace narrows::proof

@@ -16,12 +16,12 @@ inline Scenario tinyScenario()
 {
     Scenario scenario;
     scenario.name = "tiny";
-    scenario.model = std::make_shared<PlanarModel>(
+    scenario.planar().model = std::make_shared<PlanarModel>(
         PlanarModel{PlanarArm({0.0, 0.0}, {{1.0, -1}, {1.0, 0}, {0.5, 1}}), {{"C", Circle{{1.6, 0.9}, 0.4}}}});
-    scenario.task.start = Eigen::Vector3d(0.1, 0.0, -0.3);
-    scenario.task.goal = Eigen::VectorXd(Eigen::Vector3d(1.4, 1.6, 1.0));
-    scenario.task.limits.angles.resize(3);
-    scenario.convention = AngleConvention::Absolute;
+    scenario.planar().task.start = Eigen::Vector3d(0.1, 0.0, -0.3);
+    scenario.planar().task.goal = Eigen::VectorXd(Eigen::Vector3d(1.4, 1.6, 1.0));
+    scenario.planar().task.limits.angles.resize(3);
+    scenario.planar().convention = AngleConvention::Absolute;
     return scenario;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validity/Verifier.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -171,6 +172,23 @@ TEST(Verifier, TellsFreeFromTouchingWhereALinkSwingsBy)
     const Verdict touching = judge(pointer({{"C", Circle{{1.5, 0}, 0.5}}}), swing);
     EXPECT_FALSE(touching.accepted);
     EXPECT_TRUE(touching.reason == "collision" || touching.reason == "not_certified") << touching.reason;
+}
+
+/// A link that turns while it glides past something at its middle: its carrier keeps away in a curve. Only a separating
+/// line that turns, too, holds for more than a moment.
+TEST(Verifier, NeedsFewLooksHoweverNarrowItIs)
+{
+    const PlanarArm arm({0, 0}, {{1.0, -1}, {1.0, 0}}, 0.0, Slide{{1, 0}, -3.0, 3.0});
+    const Rows glide = rows({{-0.175, pi - 1.0, pi / 2 - 0.25}, {0.175, pi + 1.0, pi / 2 + 0.25}});
+    for (const double clearance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11})
+        for (const PlanarObstacle &obstacle :
+             {PlanarObstacle{"C", Circle{{-1.3 - clearance, 0.7}, 0.3}},
+              PlanarObstacle{"T", Polygon{{{-1 - clearance, 0.7}, {-2, 1.2}, {-2, 0.2}}}}})
+        {
+            const Verdict verdict = judge({arm, {obstacle}}, glide, 1e-4);
+            expectClearance(verdict, clearance, std::min(clearance, 1e-4));
+            EXPECT_LE(verdict.placements, 250u) << obstacle.name << " " << clearance;
+        }
 }
 
 /// To the digits that prototypes with other geometry code gave.

@@ -12,6 +12,7 @@
 #include "benchmark/Commands.h"
 #include "benchmark/Metrics.h"
 #include "planners/PlannerFactory.h"
+#include "scenario/families/Family.h"
 
 namespace narrows
 {
@@ -70,6 +71,19 @@ Json listScenarios()
     return list;
 }
 
+Json listFamilies()
+{
+    Json list = Json::array();
+    for (const Family &family : families())
+    {
+        std::vector<std::string> parameters;
+        for (const FamilyParameter &parameter : family.parameters)
+            parameters.push_back(parameter.name);
+        list.push_back({{"name", family.name}, {"summary", family.summary}, {"parameters", parameters}});
+    }
+    return list;
+}
+
 Json listMetrics()
 {
     Json list = Json::array();
@@ -104,7 +118,7 @@ Json describePlanner(const std::string &name)
 {
     const PlannerEntry &entry = findPlanner(name);
     const Problem problem = makeProblem(parseScenario(smallProblem, "built-in problem"));
-    const ob::PlannerPtr planner = makePlanner(name, {problem.si, problem.model});
+    const ob::PlannerPtr planner = makePlanner(name, problem.context);
     Json parameters = Json::array();
     for (const auto &[parameter, value] : planner->params().getParams())
         parameters.push_back(
@@ -114,6 +128,33 @@ Json describePlanner(const std::string &name)
             {"uses_model", entry.usesModel},
             {"threaded", entry.threaded},
             {"parameters", parameters}};
+}
+
+Json describeFamily(const std::string &name)
+{
+    const Family &family = findFamily(name);
+    Json parameters = Json::array();
+    for (const FamilyParameter &parameter : family.parameters)
+        parameters.push_back(
+            {{"name", parameter.name},
+             {"default", parameter.standard ? Json(parameter.write(*parameter.standard)) : Json(nullptr)},
+             {"range", parameter.kind == FamilyParameter::Kind::Flag
+                           ? "true, false"
+                           : fmt::format("{} to {}", parameter.lowest, parameter.highest)},
+             {"meaning", parameter.meaning}});
+    return {{"name", name}, {"summary", family.summary}, {"parameters", parameters}};
+}
+
+void printFamily(const Json &family)
+{
+    std::cout << family["name"].get<std::string>() << ": " << family["summary"].get<std::string>() << "\n";
+    for (const Json &parameter : family["parameters"])
+    {
+        const Json &standard = parameter["default"];
+        std::cout << fmt::format("  {}{}   in {}: {}\n", parameter["name"].get<std::string>(),
+                                 standard.is_null() ? "" : " = " + standard.get<std::string>(),
+                                 parameter["range"].get<std::string>(), parameter["meaning"].get<std::string>());
+    }
 }
 
 void printPlanner(const Json &planner)
@@ -141,14 +182,17 @@ void addListCommands(CLI::App &program, int &exitCode)
         bool json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App *list = program.add_subcommand("list", "What there is: planners, scenarios, metrics");
-    list->add_option("kind", options->kind)->required()->check(CLI::IsMember({"planners", "scenarios", "metrics"}));
+    CLI::App *list = program.add_subcommand("list", "What there is: planners, scenarios, families, metrics");
+    list->add_option("kind", options->kind)
+        ->required()
+        ->check(CLI::IsMember({"planners", "scenarios", "families", "metrics"}));
     list->add_flag("--json", options->json, "as JSON");
     list->callback(
         [options, &exitCode]
         {
             const Json all = options->kind == "planners"    ? listPlanners()
                              : options->kind == "scenarios" ? listScenarios()
+                             : options->kind == "families"  ? listFamilies()
                                                             : listMetrics();
             if (options->json)
                 std::cout << Json{{options->kind, all}}.dump(2) << "\n";
@@ -158,18 +202,21 @@ void addListCommands(CLI::App &program, int &exitCode)
         });
 
     CLI::App *show =
-        program.add_subcommand("show", "Details of one thing: a planner's parameters, ranges and defaults");
-    show->add_option("kind", options->kind)->required()->check(CLI::IsMember({"planner"}));
-    show->add_option("name", options->name, "see `narrows list planners`")->required();
+        program.add_subcommand("show", "Details of a planner or a family: parameters, ranges and defaults");
+    show->add_option("kind", options->kind)->required()->check(CLI::IsMember({"planner", "family"}));
+    show->add_option("name", options->name, "see `narrows list planners` and `narrows list families`")->required();
     show->add_flag("--json", options->json, "as JSON");
     show->callback(
         [options, &exitCode]
         {
-            const Json planner = describePlanner(options->name);
+            const bool planner = options->kind == "planner";
+            const Json thing = planner ? describePlanner(options->name) : describeFamily(options->name);
             if (options->json)
-                std::cout << planner.dump(2) << "\n";
+                std::cout << thing.dump(2) << "\n";
+            else if (planner)
+                printPlanner(thing);
             else
-                printPlanner(planner);
+                printFamily(thing);
             exitCode = ExitDone;
         });
 }

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // narrows plan: one run.
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "benchmark/Commands.h"
 #include "benchmark/Drawing.h"
 #include "benchmark/IsolatedRunner.h"
+#include "benchmark/SliceView.h"
+#include "benchmark/Text.h"
 #include "planners/PlannerFactory.h"
 
 namespace narrows
@@ -25,20 +26,8 @@ struct PlanOptions
     bool noRecipe = false;
     std::string json;
     std::string svg;
+    std::string slice;  ///< where to draw the slice
 };
-
-std::map<std::string, std::string> parseParameters(const std::vector<std::string> &texts)
-{
-    std::map<std::string, std::string> parameters;
-    for (const std::string &text : texts)
-    {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0)
-            throw std::invalid_argument("--param " + text + ": expected name=value");
-        parameters[text.substr(0, equals)] = text.substr(equals + 1);
-    }
-    return parameters;
-}
 
 RunSpec makeSpec(const PlanOptions &options)
 {
@@ -47,10 +36,12 @@ RunSpec makeSpec(const PlanOptions &options)
     spec.instance = spec.scenario->name + "_" + spec.problem.checker;
     spec.label = spec.planner;
     spec.recipe = !options.noRecipe;
-    spec.parameters = parseParameters(options.parameters);
+    for (const auto &[name, value] : assignments("--param", options.parameters))
+        spec.parameters[name] = value;
     // Wrong names and values are the caller's mistakes: found here, before they become the outcome of a run.
     const Problem problem = makeProblem(*spec.scenario, spec.problem);
-    makePlanner(spec.planner, {problem.si, problem.model}, spec.parameters);
+    if (whyUnsupported(spec.planner, problem.context).empty())
+        makePlanner(spec.planner, problem.context, spec.parameters);
     return spec;
 }
 
@@ -85,12 +76,34 @@ void printHuman(const RunSpec &spec, const Record &record)
         std::cerr << record.output << (record.output.back() == '\n' ? "" : "\n");
 }
 
-void writeFile(const std::string &file, const std::string &text)
+/// The slice of the curve that the run followed, drawn.
+SliceView showSlice(const PlanOptions &options, const RunSpec &spec, const Record &record)
 {
-    std::ofstream stream(file);
-    stream << text << std::flush;
-    if (!stream)
-        throw std::invalid_argument(file + ": cannot be written");
+    if (record.recipe.empty())
+        throw std::invalid_argument("--slice: no curve was followed" +
+                                    std::string(record.outcome == Outcome::Solved ? "; the straight motion is free" : ""));
+    SliceView view = viewSlice(*spec.scenario, spec.problem, record.recipe);
+    drawSlice(view, options.slice);
+    return view;
+}
+
+std::string withSlice(const std::string &json, const SliceView &view)
+{
+    nlohmann::ordered_json record = nlohmann::ordered_json::parse(json);
+    record["slice"] = {{"joins", view.joins}, {"bottleneck", view.bottleneck}, {"failure", nullptr}};
+    if (!view.failure().empty())
+        record["slice"]["failure"] = view.failure();
+    return record.dump();
+}
+
+void printSlice(const SliceView &view)
+{
+    if (view.joins)
+        std::cout << fmt::format("  {:<16}joins start and goal, bottleneck {:.6g}\n", "slice", view.bottleneck);
+    else
+        std::cout << fmt::format("  {:<16}has no way from start to goal\n", "slice");
+    if (!view.failure().empty())
+        std::cout << fmt::format("  {:<16}the {}'s\n", "failure", view.failure());
 }
 
 int plan(const PlanOptions &options)
@@ -98,15 +111,22 @@ int plan(const PlanOptions &options)
     const RunSpec spec = makeSpec(options);
     Record record;
     runAll({spec}, 1, [&](std::size_t, const Record &result) { record = result; });
-    const std::string json = toJson(spec, record);
+    std::optional<SliceView> slice;
+    if (!options.slice.empty())
+        slice = showSlice(options, spec, record);
+    const std::string json = slice ? withSlice(toJson(spec, record), *slice) : toJson(spec, record);
     if (options.json == "-")
         std::cout << json << std::endl;
     else
+    {
         printHuman(spec, record);
+        if (slice)
+            printSlice(*slice);
+    }
     if (!options.json.empty() && options.json != "-")
         writeFile(options.json, json + "\n");
     if (!options.svg.empty())
-        drawRecord(options.scenario, json, options.svg);
+        drawRecord(*spec.scenario, options.scenario, json, options.svg);
     return record.outcome == Outcome::Solved ? ExitDone : ExitNot;
 }
 
@@ -148,6 +168,7 @@ void addPlanCommand(CLI::App &program, int &exitCode)
     addProblemOptions(*command, *options);
     command->add_option("--json", options->json, "write the record as JSON; - is stdout, and nothing else goes there");
     command->add_option("--svg", options->svg, "draw the motion");
+    command->add_option("--slice", options->slice, "draw the slice of joint space that hppm followed its last curve in");
     command->callback([options, &exitCode] { exitCode = plan(*options); });
 }
 }  // namespace narrows

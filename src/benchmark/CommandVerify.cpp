@@ -8,7 +8,6 @@
 #include "benchmark/Commands.h"
 #include "benchmark/PathFile.h"
 #include "benchmark/Recheck.h"
-#include "validity/Verifier.h"
 
 namespace narrows
 {
@@ -18,7 +17,7 @@ int verifyFile(const std::string &scenarioFile, const std::string &pathFile)
 {
     const Scenario scenario = readScenario(scenarioFile);
     const std::vector<Eigen::VectorXd> path = readPathFile(pathFile, scenario);
-    const Verdict verdict = verify(*scenario.model, scenario.task, path);
+    const Verdict verdict = verify(scenario.world, path);
     if (verdict.accepted)
     {
         std::cout << fmt::format("accepted: {} waypoints, clearance {:.6g}\n", path.size(), verdict.clearance);
@@ -29,6 +28,8 @@ int verifyFile(const std::string &scenarioFile, const std::string &pathFile)
         std::cout << fmt::format(", segment {} at {:.6g} of its way", verdict.segment, verdict.fraction);
     if (verdict.link >= 0)
         std::cout << ", link " << verdict.link;
+    if (verdict.otherLink >= 0)
+        std::cout << ", link " << verdict.otherLink;
     if (!verdict.obstacle.empty())
         std::cout << ", obstacle " << verdict.obstacle;
     std::cout << "\n";

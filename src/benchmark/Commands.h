@@ -20,5 +20,6 @@ void addVerifyCommand(CLI::App &program, int &exitCode);
 void addBenchCommand(CLI::App &program, int &exitCode);
 void addSummaryCommand(CLI::App &program, int &exitCode);
 void addRecheckCommand(CLI::App &program, int &exitCode);
+void addGenerateCommand(CLI::App &program, int &exitCode);
 void addListCommands(CLI::App &program, int &exitCode);
 }  // namespace narrows

@@ -47,15 +47,15 @@ private:
     std::string path_;
 };
 
-std::string findScript()
+std::string findScript(const std::string &name)
 {
     for (const char *folder : {build::sourceFolder, build::shareFolder})
     {
-        const auto script = std::filesystem::path(folder) / "analysis" / "draw.py";
+        const auto script = std::filesystem::path(folder) / "analysis" / name;
         if (std::filesystem::exists(script))
             return script.string();
     }
-    throw std::runtime_error("drawing needs analysis/draw.py, which is neither in the sources nor installed");
+    throw std::runtime_error("drawing needs analysis/" + name + ", which is neither in the sources nor installed");
 }
 
 /// \return the exit code; 127 if the program cannot be started
@@ -91,10 +91,20 @@ std::string findPython()
 }
 }  // namespace
 
-void drawRecord(const std::string &scenarioFile, const std::string &recordJson, const std::string &outputFile)
+void drawRecord(const Scenario &scenario, const std::string &scenarioFile, const std::string &recordJson,
+                const std::string &outputFile)
 {
     const TemporaryFile record(recordJson);
-    if (run({findPython(), findScript(), "run", scenarioFile, record.path(), outputFile}) != 0)
+    const TemporaryFile generated(scenario.text);
+    const std::string &scene = scenario.family.empty() ? scenarioFile : generated.path();
+    if (run({findPython(), findScript("draw.py"), "run", scene, record.path(), outputFile}) != 0)
+        throw std::runtime_error("drawing failed: see above");
+}
+
+void drawData(const std::string &script, const std::string &json, const std::string &outputFile)
+{
+    const TemporaryFile data(json);
+    if (run({findPython(), findScript(script), data.path(), outputFile}) != 0)
         throw std::runtime_error("drawing failed: see above");
 }
 }  // namespace narrows

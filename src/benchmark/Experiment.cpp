@@ -26,6 +26,7 @@ std::uint32_t runSeed(const Experiment &experiment, const RunSpec &spec)
 struct Instance
 {
     std::string name;
+    std::string group;
     std::shared_ptr<const Scenario> scenario;
     ProblemOptions problem;
 };
@@ -41,7 +42,8 @@ std::vector<Instance> instances(const Experiment &experiment)
                 ProblemOptions problem;
                 problem.checker = checker;
                 problem.motion = motion;
-                all.push_back({scenario->name + "_" + checker + (namesMotion ? "_" + motion : ""), scenario, problem});
+                const std::string suffix = "_" + checker + (namesMotion ? "_" + motion : "");
+                all.push_back({scenario->name + suffix, scenario->group + suffix, scenario, problem});
             }
     return all;
 }
@@ -50,6 +52,7 @@ RunSpec makeSpec(const Experiment &experiment, const Instance &instance, const P
 {
     RunSpec spec;
     spec.instance = instance.name;
+    spec.group = instance.group;
     spec.scenario = instance.scenario;
     spec.problem = instance.problem;
     spec.problem.space = choice.space;
@@ -69,7 +72,8 @@ RunSpec makeSpec(const Experiment &experiment, const Instance &instance, const P
 
 bool PlannerChoice::isFor(const Scenario &scenario) const
 {
-    return only.empty() || std::find(only.begin(), only.end(), scenario.name) != only.end();
+    return only.empty() ||
+           std::any_of(only.begin(), only.end(), [&](const std::string &word) { return scenario.isCalled(word); });
 }
 
 std::string Experiment::databasePath() const

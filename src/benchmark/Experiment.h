@@ -25,7 +25,7 @@ struct PlannerChoice
     std::string label;              ///< how tables call it; two entries share one only if no scenario has both
     std::string space;              ///< as in ProblemOptions
     bool recipe = true;             ///< may it use the scenario's `methods`?
-    std::vector<std::string> only;  ///< names of the scenarios it is for; empty: all
+    std::vector<std::string> only;  ///< names, groups or bases of the scenarios it is for; empty: all
     std::map<std::string, std::string> parameters;
 
     bool isFor(const Scenario &scenario) const;

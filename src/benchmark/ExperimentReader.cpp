@@ -3,13 +3,16 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <set>
 #include <thread>
 
 #include "benchmark/Experiment.h"
 #include "benchmark/IniFile.h"
 #include "benchmark/PlannerSection.h"
+#include "benchmark/SweepSection.h"
 #include "benchmark/Text.h"
 #include "scenario/InputText.h"
+#include "scenario/families/Family.h"
 
 namespace narrows
 {
@@ -112,11 +115,15 @@ public:
     {
         const std::vector<IniEntry> entries = parseIni(result_.text, result_.file, faults_);
         std::vector<IniEntry> plannerEntries;
+        std::vector<IniEntry> sweepEntries;
         for (const IniEntry &entry : entries)
             if (entry.section == "planner")
                 plannerEntries.push_back(entry);
+            else if (entry.section == "sweep")
+                sweepEntries.push_back(entry);
             else
                 readSetting(entry);
+        axes_ = readSweepSection(sweepEntries, result_.file, faults_);
         requireSettings();
         readScenarios();
         result_.output = resolved(output_);
@@ -176,11 +183,9 @@ private:
     {
         const std::string name = entry.section + "." + entry.key;
         const std::map<std::string, Setting> known = settings();
-        if (entry.section == "sweep" && entry.key.rfind("generate.", 0) == 0)
-            return fault(entry.line, name, "scenario families are not supported by this version");
         if (entry.section.empty())
             return fault(entry.line, entry.key, "stands outside of any section");
-        if (entry.section != "problem" && entry.section != "benchmark" && entry.section != "sweep")
+        if (entry.section != "problem" && entry.section != "benchmark")
             return fault(entry.line, name, "unknown section; there are problem, benchmark, sweep and planner");
         if (known.count(name) == 0)
             return fault(entry.line, name, "unknown key" + knownKeys(known, entry.section));
@@ -225,23 +230,52 @@ private:
             else
                 readScenarioFile(path);
         }
+        if (!axes_.empty() && !swept_ && faults_.empty())
+            fault(axes_.front().line, "sweep.generate." + axes_.front().parameter,
+                  "no scenario of this experiment has `generate`");
     }
 
+    /// One scenario; of a file with `generate` one for every combination of the sweep.
     void readScenarioFile(const std::string &path)
     {
         try
         {
-            auto scenario = std::make_shared<const Scenario>(readScenario(path));
-            for (const auto &other : result_.scenarios)
-                if (other->name == scenario->name)
-                    fault(lines_.at("problem.scenario"), "problem.scenario",
-                          "two of the scenarios are called '" + scenario->name + "'");
-            result_.scenarios.push_back(scenario);
+            const Scenario scenario = readScenario(path);
+            if (axes_.empty() || scenario.family.empty())
+                addScenario(scenario);
+            else if (takesSweep(findFamily(scenario.family)))
+                for (const GenerateSettings &settings : combinations(axes_))
+                    addScenario(readScenario(path, settings));
         }
         catch (const InputError &error)
         {
             faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
         }
+    }
+
+    void addScenario(const Scenario &scenario)
+    {
+        if (!names_.insert(scenario.name).second)
+            fault(lines_.at("problem.scenario"), "problem.scenario",
+                  "two of the scenarios are called '" + scenario.name + "'");
+        result_.scenarios.push_back(std::make_shared<const Scenario>(scenario));
+    }
+
+    bool takesSweep(const Family &family)
+    {
+        swept_ = true;
+        const std::size_t before = faults_.size();
+        for (const SweepAxis &axis : axes_)
+            try
+            {
+                for (const std::string &value : axis.values)
+                    family.parameter(axis.parameter).read(value);
+            }
+            catch (const std::invalid_argument &error)
+            {
+                fault(axis.line, "sweep.generate." + axis.parameter, error.what());
+            }
+        return faults_.size() == before;
     }
 
     /// Lets makeProblem() judge the values of the options, one at a time.
@@ -278,6 +312,9 @@ private:
     std::vector<InputFault> faults_;
     std::map<std::string, int> lines_;  ///< of the settings given
     std::vector<std::string> scenarioFiles_;
+    std::set<std::string> names_;  ///< of the scenarios
+    std::vector<SweepAxis> axes_;
+    bool swept_ = false;  ///< has the sweep met a scenario that it is for?
     std::string space_ = ProblemOptions().space;
     std::string output_;
 };

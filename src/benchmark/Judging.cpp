@@ -2,12 +2,12 @@
 #include "benchmark/Judging.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <ompl/base/PlannerData.h>
 
 #include "planners/ModelPlanner.h"
-#include "validity/Verifier.h"
 
 namespace narrows
 {
@@ -21,11 +21,13 @@ double lengthOf(const std::vector<Eigen::VectorXd> &rows)
     return length;
 }
 
-double maxJointStepOf(const std::vector<Eigen::VectorXd> &rows, int firstAngle)
+double maxJointStepOf(const std::vector<Eigen::VectorXd> &rows, const std::vector<ArmJoint> &joints)
 {
     double step = 0.0;
     for (std::size_t i = 1; i < rows.size(); ++i)
-        step = std::max(step, (rows[i] - rows[i - 1]).tail(rows[i].size() - firstAngle).lpNorm<Eigen::Infinity>());
+        for (std::size_t joint = 0; joint < joints.size(); ++joint)
+            if (joints[joint].turns)
+                step = std::max(step, std::abs(rows[i][joint] - rows[i - 1][joint]));
     return step;
 }
 
@@ -37,6 +39,8 @@ std::string refusal(const Verdict &verdict)
         text += fmt::format(": segment {} at {:.6g}", verdict.segment, verdict.fraction);
     if (verdict.link >= 0)
         text += fmt::format(", link {}", verdict.link);
+    if (verdict.otherLink >= 0)
+        text += fmt::format(", link {}", verdict.otherLink);
     if (!verdict.obstacle.empty())
         text += fmt::format(", obstacle {}", verdict.obstacle);
     return text;
@@ -54,13 +58,13 @@ void judgeClaim(const RunSpec &spec, const Problem &problem, const og::PathGeome
     const std::vector<Eigen::VectorXd> rows = problem.space->unwrap(*path);
     record.waypoints = static_cast<std::int64_t>(rows.size());
     record.length = lengthOf(rows);
-    record.maxJointStep = maxJointStepOf(rows, problem.model->arm.firstAngle());
+    record.maxJointStep = maxJointStepOf(rows, problem.space->joints());
     if (rows.size() > 0)
         record.smoothness = path->smoothness();
     for (const Eigen::VectorXd &row : rows)
-        record.path.push_back(problem.model->arm.fromAbsolute(row, spec.scenario->convention));
+        record.path.push_back(toFile(spec.scenario->world, row));
 
-    const Verdict verdict = verify(*problem.model, spec.scenario->task, rows);
+    const Verdict verdict = verify(spec.scenario->world, rows);
     record.verified = verdict.accepted;
     if (verdict.accepted)
     {
@@ -149,7 +153,7 @@ void judgeSimplified(const RunSpec &spec, const Problem &problem, const og::Path
 {
     const std::vector<Eigen::VectorXd> rows = problem.space->unwrap(path);
     record.simplifiedLength = lengthOf(rows);
-    record.simplifiedVerified = verify(*problem.model, spec.scenario->task, rows).accepted;
+    record.simplifiedVerified = verify(spec.scenario->world, rows).accepted;
 }
 
 void recordPlannerData(const Problem &problem, const ob::Planner &planner, Record &record)
@@ -157,6 +161,7 @@ void recordPlannerData(const Problem &problem, const ob::Planner &planner, Recor
     if (const auto *modelPlanner = dynamic_cast<const ModelPlanner *>(&planner))
     {
         record.measures = modelPlanner->measures();
+        record.recipe = modelPlanner->recipe();
         const auto own = record.measures.find("homotopy_evaluations");
         if (own != record.measures.end() && record.evaluations)
             *record.evaluations += static_cast<std::int64_t>(own->second);

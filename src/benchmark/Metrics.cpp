@@ -89,7 +89,8 @@ const std::vector<Metric> &metrics()
         {"approximate_solution", "BOOLEAN", "the path does not reach the goal", approximate},
         {"solution_difference", "REAL", "how far an approximate path ends from the goal",
          of(&Record::solutionDifference)},
-        {"solution_length", "REAL", "Euclidean length in absolute angles, rad", of(&Record::length)},
+        {"solution_length", "REAL", "Euclidean length over the joints (planar arms: absolute angles), rad",
+         of(&Record::length)},
         {"solution_smoothness", "REAL", "OMPL's measure of bends, 0 is straight", of(&Record::smoothness)},
         {"solution_clearance", "REAL", "least distance to an obstacle over the whole path (verifier), length",
          of(&Record::clearance)},
@@ -120,6 +121,7 @@ const std::vector<Metric> &metrics()
         {"uses_model", "BOOLEAN", "sees robot and obstacles, not only whether states are free", of(&Record::usesModel)},
         {"parameters", "TEXT", "all of the planner's parameters as used, JSON", jsonOf(&Record::parameters)},
         {"measures", "TEXT", "the planner's own measures, JSON", jsonOf(&Record::measures)},
+        {"recipe", "TEXT", "parameters that follow the same curve again, JSON", jsonOf(&Record::recipe)},
         {"output", "TEXT", "last lines the run wrote to stdout and stderr", of(&Record::output)}};
     return table;
 }

@@ -122,13 +122,11 @@ private:
     void add(const Entry &entry)
     {
         const RunSpec &spec = specs_[entry.front()];
-        const PlannerContext context{problem_.si, problem_.model};
-        const PlannerEntry &factory = findPlanner(spec.planner);
-        const std::string unsupported = factory.unsupported ? factory.unsupported(context) : std::string();
+        const std::string unsupported = whyUnsupported(spec.planner, problem_.context);
         if (unsupported.empty())
         {
             planners_.push_back(std::make_shared<MeasuredPlanner>(
-                makePlanner(spec.planner, context, givenParameters(spec)), problem_.counts));
+                makePlanner(spec.planner, problem_.context, givenParameters(spec)), problem_.counts));
             if (spec.label != spec.planner)
                 planners_.back()->setName(spec.label);
             entries_.push_back(entry);

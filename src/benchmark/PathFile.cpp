@@ -57,7 +57,7 @@ double number(const std::string &file, const std::string &key, const Json &json)
 std::vector<Eigen::VectorXd> readPathFile(const std::string &file, const Scenario &scenario)
 {
     const Json rows = findRows(file, parse(file));
-    const auto dimension = static_cast<std::size_t>(scenario.model->arm.dimension());
+    const auto dimension = static_cast<std::size_t>(dimensionOf(scenario.world));
     std::vector<Eigen::VectorXd> path;
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
@@ -67,7 +67,7 @@ std::vector<Eigen::VectorXd> readPathFile(const std::string &file, const Scenari
         Eigen::VectorXd row(static_cast<Eigen::Index>(dimension));
         for (std::size_t j = 0; j < dimension; ++j)
             row[static_cast<Eigen::Index>(j)] = number(file, key + "[" + std::to_string(j) + "]", rows[i][j]);
-        path.push_back(scenario.model->arm.toAbsolute(row, scenario.convention));
+        path.push_back(fromFile(scenario.world, row));
     }
     return path;
 }

@@ -11,7 +11,7 @@
 namespace narrows
 {
 /// Reads waypoints from JSON: {"path": {"angles": [[...], ...]}} (a record), {"angles": [[...], ...]} or a bare array.
-/// \return in absolute angles, from the scenario's own convention
+/// \return configurations, from the scenario's own convention
 /// \throws InputError naming the file and what is wrong with it, a row of the wrong dimension included
 std::vector<Eigen::VectorXd> readPathFile(const std::string &file, const Scenario &scenario);
 }  // namespace narrows

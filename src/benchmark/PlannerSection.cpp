@@ -128,7 +128,7 @@ private:
             fault(entry.line, entry.key, "names no scenario");
         for (const std::string &name : names)
             if (std::any_of(scenarios_.begin(), scenarios_.end(),
-                            [&](const auto &scenario) { return scenario->name == name; }))
+                            [&](const auto &scenario) { return scenario->isCalled(name); }))
                 choice.only.push_back(name);
             else
                 fault(entry.line, entry.key, "no scenario of this experiment is called '" + name + "'");
@@ -174,9 +174,11 @@ private:
 
     void tryOut(const Draft &draft)
     {
+        // What fits one scenario of a group fits all; and what does not fit one, the next would only repeat.
+        std::set<std::string> groups;
         for (const auto &scenario : scenarios_)
-            if (draft.choice.isFor(*scenario) && !fits(draft, *scenario))
-                return;  // the next scenario would only repeat it
+            if (draft.choice.isFor(*scenario) && groups.insert(scenario->group).second && !fits(draft, *scenario))
+                return;
     }
 
     bool fits(const Draft &draft, const Scenario &scenario)
@@ -184,11 +186,11 @@ private:
         const bool own = draft.lines.count("space") != 0;
         std::string reason;
         if (const auto problem = tryProblem(scenario, draft.choice.space, reason))
-            return acceptsParameters(draft, {problem->si, problem->model});
+            return acceptsParameters(draft, problem->context);
         fault(own ? draft.lines.at("space") : draft.line, draft.choice.planner + (own ? ".space" : ""), reason);
         // The parameters can be judged all the same: the scenario's own space always fits.
         if (const auto problem = tryProblem(scenario, ProblemOptions().space, reason))
-            acceptsParameters(draft, {problem->si, problem->model});
+            acceptsParameters(draft, problem->context);
         return false;
     }
 
@@ -207,9 +209,12 @@ private:
         }
     }
 
-    /// One parameter at a time, so that each fault finds its line, then all together.
+    /// One parameter at a time, so that each fault finds its line, then all together. A planner that cannot do the
+    /// scenario is not asked: its runs will say so.
     bool acceptsParameters(const Draft &draft, const PlannerContext &context)
     {
+        if (!whyUnsupported(draft.choice.planner, context).empty())
+            return true;
         const std::size_t before = faults_.size();
         const std::string &planner = draft.choice.planner;
         for (const auto &[name, value] : draft.choice.parameters)

@@ -55,15 +55,12 @@ PreparedRun prepare(const RunSpec &spec)
 {
     PreparedRun run;
     run.problem = makeProblem(*spec.scenario, spec.problem);
-    const PlannerContext context{run.problem.si, run.problem.model};
-    const PlannerEntry &entry = findPlanner(spec.planner);
-    if (entry.unsupported)
-        run.unsupported = entry.unsupported(context);
+    run.unsupported = whyUnsupported(spec.planner, run.problem.context);
     if (!run.unsupported.empty())
         return run;
 
     run.problem.pdef->setOptimizationObjective(firstSolution(run.problem.si));
-    run.planner = makePlanner(spec.planner, context, givenParameters(spec));
+    run.planner = makePlanner(spec.planner, run.problem.context, givenParameters(spec));
     run.planner->setProblemDefinition(run.problem.pdef);
     run.planner->setup();
     return run;

@@ -152,6 +152,7 @@ Record decodeRecord(const Json &json)
     record.usesModel = json.at("uses_model").get<bool>();
     for (const auto &[name, value] : json.at("parameters").items())
         record.parameters[name] = value.template get<std::string>();
+    record.recipe = json.at("recipe").get<std::map<std::string, std::string>>();
     for (const auto &[name, value] : json.at("measures").items())
         decode(value, record.measures[name]);
     record.output = json.at("output").get<std::string>();
@@ -195,6 +196,7 @@ std::string toJson(const RunSpec &spec, const Record &record)
     json["space"] = spec.problem.space;
     json["prescribed"] = record.prescribed;
     json["uses_model"] = record.usesModel;
+    json["recipe"] = record.recipe;
     json["measures"] = Json::object();
     for (const auto &[name, value] : record.measures)
         json["measures"][name] = encode(value);

@@ -39,6 +39,7 @@ Outcome outcomeFromString(const std::string &text);
 struct RunSpec
 {
     std::string instance;  ///< one word, unique within a campaign: scenario, and what the sweep and checker make of it
+    std::string group;     ///< the instance's name but for the seed of a sweep: what tables put together
     std::shared_ptr<const Scenario> scenario;
     ProblemOptions problem;
     std::string planner;                            ///< name in the factory
@@ -77,7 +78,7 @@ struct Record
     std::optional<std::int64_t> graphStates;
     std::optional<std::int64_t> graphMotions;
     std::optional<std::int64_t> waypoints;
-    std::optional<double> length;              ///< Euclidean, absolute angles, radians
+    std::optional<double> length;              ///< Euclidean over configurations, radians
     std::optional<double> clearance;           ///< the verifier's, over the whole path
     std::optional<double> smoothness;          ///< OMPL's
     std::optional<double> solutionDifference;  ///< of an approximate solution
@@ -86,6 +87,7 @@ struct Record
     std::optional<bool> simplifiedVerified;
     std::optional<bool> verified;                   ///< empty if no exact path was claimed
     std::map<std::string, double> measures;         ///< the planner's own (hyperspheres, rejected_steps, ...)
+    std::map<std::string, std::string> recipe;      ///< see ModelPlanner::recipe()
     std::map<std::string, std::string> parameters;  ///< all of the planner's parameters as they were used
     std::vector<Eigen::VectorXd> path;              ///< scenario's own convention, unwrapped; empty without a path
     std::string output;                             ///< the last lines the run wrote to stdout and stderr

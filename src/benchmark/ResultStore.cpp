@@ -207,9 +207,10 @@ void ResultStore::insertInstances(const Experiment &experiment)
                      experiment.name + ": " + scenario.name + (scenario.source.empty() ? "" : ", " + scenario.source),
                      scenario.name, spec.problem.checker, spec.problem.motion);
         insert.exec();
-        const nlohmann::json options{{"checker", spec.problem.checker}, {"motion", spec.problem.motion},
-                                     {"simplify", spec.simplify},       {"warm_up", spec.warmUp},
-                                     {"time_limit", spec.timeLimit},    {"mem_limit", spec.memoryLimit}};
+        const nlohmann::json options{{"group", spec.group},           {"checker", spec.problem.checker},
+                                     {"motion", spec.problem.motion}, {"simplify", spec.simplify},
+                                     {"warm_up", spec.warmUp},        {"time_limit", spec.timeLimit},
+                                     {"mem_limit", spec.memoryLimit}};
         SQLite::Statement instance(*database_, "INSERT INTO instances VALUES (last_insert_rowid(), ?, ?, ?)");
         SQLite::bind(instance, scenario.text, sha256(scenario.text), options.dump());
         instance.exec();

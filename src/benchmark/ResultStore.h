@@ -21,6 +21,7 @@ namespace narrows
 struct RunRow
 {
     std::string instance;
+    std::string group;  ///< of instances that differ in the seed of a sweep only
     std::string label;
     std::string settings;  ///< of the planner entry
     int run = 0;

@@ -126,8 +126,10 @@ std::vector<RunRow> ResultStore::runs() const
 {
     SQLite::Statement query(*database_, R"(
         SELECT experiments.name, plannerConfigs.name, settings, run, outcome, reason, prescribed, cpu_time, evaluations,
-          state_checks, solution_length, solution_clearance
-        FROM runs JOIN experiments ON experiments.id = experimentid JOIN plannerConfigs ON plannerConfigs.id = plannerid
+          state_checks, solution_length, solution_clearance, coalesce(json_extract(options, '$.group'), experiments.name)
+        FROM runs JOIN experiments ON experiments.id = runs.experimentid
+          JOIN instances ON instances.experimentid = runs.experimentid
+          JOIN plannerConfigs ON plannerConfigs.id = plannerid
         ORDER BY experiments.id, plannerConfigs.name, settings, run)");
     std::vector<RunRow> rows;
     while (query.executeStep())
@@ -145,6 +147,7 @@ std::vector<RunRow> ResultStore::runs() const
         row.stateChecks = optionalNumber(query.getColumn(9));
         row.length = optionalNumber(query.getColumn(10));
         row.clearance = optionalNumber(query.getColumn(11));
+        row.group = query.getColumn(12).getString();
         rows.push_back(row);
     }
     return rows;

@@ -12,7 +12,7 @@ namespace narrows
 {
 namespace
 {
-/// Medians over the solved runs of one group.
+/// The values of the solved runs.
 std::vector<double> collect(const std::vector<RunRow> &runs, std::optional<double> RunRow::*member)
 {
     std::vector<double> values;
@@ -55,10 +55,10 @@ std::string failures(const std::vector<RunRow> &runs)
     return joined(parts, ", ");
 }
 
-SummaryRow summarizeGroup(const std::vector<RunRow> &runs)
+SummaryRow summarizeEntry(const std::vector<RunRow> &runs)
 {
     SummaryRow row;
-    row.instance = runs.front().instance;
+    row.group = runs.front().group;
     row.label = runs.front().label;
     row.runs = static_cast<int>(runs.size());
     for (const RunRow &run : runs)
@@ -116,20 +116,34 @@ std::optional<Spread> quartiles(std::vector<double> sample)
 
 std::vector<SummaryRow> summarize(const std::vector<RunRow> &runs)
 {
-    std::vector<std::string> instances;
-    std::map<std::string, std::map<std::pair<std::string, std::string>, std::vector<RunRow>>> groups;
+    struct Group
+    {
+        std::map<std::string, bool> instances;  ///< and whether they were solved
+        std::map<std::pair<std::string, std::string>, std::vector<RunRow>> entries;
+    };
+    std::vector<std::string> names;
+    std::map<std::string, Group> groups;
     for (const RunRow &run : runs)
     {
-        if (groups.count(run.instance) == 0)
-            instances.push_back(run.instance);
-        groups[run.instance][{run.label, run.settings}].push_back(run);
+        if (groups.count(run.group) == 0)
+            names.push_back(run.group);
+        Group &group = groups[run.group];
+        bool &solved = group.instances[run.instance];
+        solved = solved || run.outcome == Outcome::Solved;
+        group.entries[{run.label, run.settings}].push_back(run);
     }
     std::vector<SummaryRow> rows;
-    for (const std::string &instance : instances)
+    for (const std::string &name : names)
     {
+        const Group &group = groups[name];
         const auto begin = static_cast<std::ptrdiff_t>(rows.size());
-        for (const auto &[planner, group] : groups[instance])
-            rows.push_back(summarizeGroup(group));
+        for (const auto &[planner, entry] : group.entries)
+        {
+            rows.push_back(summarizeEntry(entry));
+            rows.back().instances = static_cast<int>(group.instances.size());
+            for (const auto &[instance, solved] : group.instances)
+                rows.back().solvableInstances += solved ? 1 : 0;
+        }
         std::stable_sort(rows.begin() + begin, rows.end(), better);
     }
     return rows;

@@ -24,10 +24,12 @@ Spread wilson(int k, int n);
 /// Quartiles by linear interpolation between order statistics (type 7, numpy's default); nothing for an empty sample.
 std::optional<Spread> quartiles(std::vector<double> sample);
 
-/// One line of the table: a planner entry on an instance.
+/// One line of the table: a planner entry on the instances of one group.
 struct SummaryRow
 {
-    std::string instance;
+    std::string group;
+    int instances = 0;          ///< of the group
+    int solvableInstances = 0;  ///< of these, those that some planner entry of the campaign has solved
     std::string label;
     bool prescribed = false;
     int runs = 0;
@@ -43,7 +45,7 @@ struct SummaryRow
         failures;  ///< outcomes and reasons of the others, most frequent first: "timeout 3, no_solution (span) 1"
 };
 
-/// By instance in the order given; within one, most solved first, then least median CPU time.
+/// By group in the order given; within one, most solved first, then least median CPU time.
 std::vector<SummaryRow> summarize(const std::vector<RunRow> &runs);
 
 /// The table for a terminal, or as Markdown.

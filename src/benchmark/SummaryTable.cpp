@@ -41,7 +41,7 @@ Line cells(const SummaryRow &row)
             cell(row.evaluations, "{:.0f}"),
             cell(row.stateChecks, "{:.0f}"),
             cell(row.length, "{:.2f}"),
-            cell(row.clearance, "{:.4f}"),
+            cell(row.clearance, "{:.3g}"),
             row.failures.empty() ? "-" : row.failures};
 }
 
@@ -50,17 +50,26 @@ bool anyPrescribed(const std::vector<SummaryRow> &rows)
     return std::any_of(rows.begin(), rows.end(), [](const SummaryRow &row) { return row.prescribed; });
 }
 
-/// Calls `write(instance, lines)` for each instance.
-void eachInstance(const std::vector<SummaryRow> &rows,
-                  const std::function<void(const std::string &, const std::vector<Line> &)> &write)
+/// "slab_half_width0.01_analytic", or with "(20 instances, 19 of them solved by some planner)" behind it.
+std::string title(const SummaryRow &row)
+{
+    if (row.instances == 1)
+        return row.group;
+    return fmt::format("{} ({} instances, {} of them solved by some planner)", row.group, row.instances,
+                       row.solvableInstances);
+}
+
+/// Calls `write(title, lines)` for each group.
+void eachGroup(const std::vector<SummaryRow> &rows,
+               const std::function<void(const std::string &, const std::vector<Line> &)> &write)
 {
     for (std::size_t i = 0; i < rows.size();)
     {
-        const std::string &instance = rows[i].instance;
+        const SummaryRow &first = rows[i];
         std::vector<Line> lines;
-        for (; i < rows.size() && rows[i].instance == instance; ++i)
+        for (; i < rows.size() && rows[i].group == first.group; ++i)
             lines.push_back(cells(rows[i]));
-        write(instance, lines);
+        write(title(first), lines);
     }
 }
 
@@ -87,13 +96,13 @@ std::string summaryText(const std::vector<SummaryRow> &rows)
     for (const SummaryRow &row : rows)
         widen(cells(row));
     std::string text = std::string(header) + "\n";
-    eachInstance(rows,
-                 [&](const std::string &instance, const std::vector<Line> &lines)
-                 {
-                     text += "\n" + instance + "\n" + padded(titles, widths);
-                     for (const Line &line : lines)
-                         text += padded(line, widths);
-                 });
+    eachGroup(rows,
+              [&](const std::string &name, const std::vector<Line> &lines)
+              {
+                  text += "\n" + name + "\n" + padded(titles, widths);
+                  for (const Line &line : lines)
+                      text += padded(line, widths);
+              });
     return text + (anyPrescribed(rows) ? std::string("\n") + footnote + "\n" : "");
 }
 
@@ -113,14 +122,14 @@ std::string summaryMarkdown(const std::vector<SummaryRow> &rows)
         return text + "\n";
     };
     std::string text = std::string(header) + "\n";
-    eachInstance(rows,
-                 [&](const std::string &instance, const std::vector<Line> &lines)
-                 {
-                     text += "\n### " + instance + "\n\n" + tableRow(titles) +
-                             "|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
-                     for (const Line &line : lines)
-                         text += tableRow(line);
-                 });
+    eachGroup(rows,
+              [&](const std::string &name, const std::vector<Line> &lines)
+              {
+                  text +=
+                      "\n### " + name + "\n\n" + tableRow(titles) + "|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
+                  for (const Line &line : lines)
+                      text += tableRow(line);
+              });
     return text + (anyPrescribed(rows) ? std::string("\n\\") + footnote + "\n" : "");
 }
 }  // namespace narrows

@@ -3,7 +3,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace narrows
 {
@@ -33,6 +35,28 @@ std::string joined(const std::vector<std::string> &parts, const std::string &sep
     for (const std::string &part : parts)
         text += (text.empty() ? "" : separator) + part;
     return text;
+}
+
+std::vector<std::pair<std::string, std::string>> assignments(const std::string &option,
+                                                             const std::vector<std::string> &texts)
+{
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const std::string &text : texts)
+    {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw std::invalid_argument(option + " " + text + ": expected name=value");
+        pairs.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    }
+    return pairs;
+}
+
+void writeFile(const std::string &file, const std::string &text)
+{
+    std::ofstream stream(file);
+    stream << text << std::flush;
+    if (!stream)
+        throw std::invalid_argument(file + ": cannot be written");
 }
 
 std::optional<double> toNumber(const std::string &text)

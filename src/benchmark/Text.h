@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace narrows
@@ -14,6 +15,15 @@ std::string trimmed(const std::string &text);
 std::vector<std::string> split(const std::string &text, char separator);
 
 std::string joined(const std::vector<std::string> &parts, const std::string &separator);
+
+/// "name=value" texts as pairs, in their order.
+/// \param option that they come from, for messages
+/// \throws std::invalid_argument if one of them has no name
+std::vector<std::pair<std::string, std::string>> assignments(const std::string &option,
+                                                             const std::vector<std::string> &texts);
+
+/// \throws std::invalid_argument if the file cannot be written
+void writeFile(const std::string &file, const std::string &text);
 
 /// The finite number that the whole text is; nothing for any other text, whatever the locale.
 std::optional<double> toNumber(const std::string &text);

@@ -39,6 +39,7 @@ int main(int argc, char **argv)
     addBenchCommand(program, exitCode);
     addSummaryCommand(program, exitCode);
     addRecheckCommand(program, exitCode);
+    addGenerateCommand(program, exitCode);
     addListCommands(program, exitCode);
     try
     {

@@ -40,6 +40,8 @@ struct Slide
 class PlanarArm
 {
 public:
+    static constexpr int Dim = 2;
+
     /// \throws std::invalid_argument if a length is not positive and finite, a parent does not precede its child,
     /// the radius is negative, or the slide's axis is not a unit vector.
     PlanarArm(const Eigen::Vector2d &base, std::vector<PlanarLink> links, double radius = 0.0,
@@ -54,6 +56,12 @@ public:
     const Eigen::Vector2d &base() const { return base_; }
     /// Half-width of every link; 0 for line segments.
     double radius() const { return radius_; }
+    /// Whether two links meet at a joint, whatever the configuration; only other pairs can collide with each other.
+    bool areNeighbours(int link, int other) const
+    {
+        return links_[link].parent == links_[other].parent || links_[link].parent == other ||
+               links_[other].parent == link;
+    }
     /// Length of the longest chain of links from the base to a tip.
     double reach() const;
 

@@ -32,6 +32,17 @@ public:
     virtual double value(const Eigen::Ref<const Eigen::VectorXd> &q) const = 0;
 };
 
+/// How one configuration lies among the poles: what a search for good homotopies starts from.
+struct Surroundings
+{
+    double clearance = 0.0;       ///< least distance to anything but joint limits; +infinity if there is nothing
+    std::vector<double> weights;  ///< per group: its part of W at strength 1, with continuous poles
+    std::vector<int> sides;       ///< per group: +1 or -1, on which side of its nearest link it lies; 0 where links have
+                                  ///< no sides
+    std::vector<int> pinned;      ///< joints that cannot turn either way, because a link is in a throat, and all that
+                                  ///< hangs on them
+};
+
 /// What the homotopy planners need to know of a robot among its obstacles. One implementation per kind of robot; whoever
 /// brings a robot of his own implements this.
 ///
@@ -45,15 +56,27 @@ public:
     virtual int dimension() const = 0;
     /// Names of the groups; obstacles first.
     virtual const std::vector<std::string> &groups() const = 0;
+    virtual std::size_t obstacleCount() const = 0;
+
+    /// The strength with which a pole of the group bends a curve by about a radian at a distance that is ordinary for the
+    /// robot: what strengths are measured by.
+    virtual double naturalStrength(std::size_t /*group*/) const { return 1.0; }
 
     /// One pole per link and obstacle, at their exact distance: sum of P / (d^2 - r^2), or the like where a shape has no
     /// radius (see the implementation). A strength of 0 leaves the group out.
     /// \param strengths one per group
     virtual std::shared_ptr<const Repulsion> continuous(const std::vector<double> &strengths) const = 0;
 
+    /// Whether the paper has a function for every obstacle, so that there are points().
+    virtual bool supportsPoints() const = 0;
+
     /// The paper's singular points, n per link (HPPM-PRA, Eq. 20-23).
     /// \throws std::invalid_argument if the paper has no function for some obstacle or this kind of robot.
     virtual std::shared_ptr<const Repulsion> points(const std::vector<double> &strengths, int pointsPerLink) const = 0;
+
+    /// Unless overridden, sides are 0 and nothing is pinned.
+    /// \param throat a link with obstacles within this distance on both sides is in a throat; > 0
+    virtual Surroundings surroundings(const Eigen::Ref<const Eigen::VectorXd> &q, double throat) const;
 
     /// Least distance of any link to anything that has a pole (limits, which are no distances, left out), negative or
     /// zero iff something touches, and its gradient where it has one.

@@ -20,10 +20,10 @@ struct SpatialJoint
         Prismatic
     };
     Kind kind = Kind::Revolute;
-    int parent = -1;                                             ///< -1: the world. Always less than its own index
-    Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();    ///< this joint's frame in the parent's, at value 0
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();             ///< unit vector in this joint's frame
-    std::optional<Interval> limits;                              ///< none: a revolute joint that turns freely
+    int parent = -1;                                           ///< -1: the world. Always less than its own index
+    Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< this joint's frame in the parent's, at value 0
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();           ///< unit vector in this joint's frame
+    std::optional<Interval> limits;                            ///< none: a revolute joint that turns freely
 };
 
 /// A link: all points within `radius` of a segment that is fixed in a joint's moving frame.
@@ -61,7 +61,8 @@ public:
 
     /// \throws std::invalid_argument naming the joint or link if a parent does not precede its child, an axis is not a
     /// unit vector, an offset is not a rigid motion, a limit is missing (prismatic) or out of order, a prismatic joint
-    /// has a revolute ancestor, a link is neither extended nor thick, or a number is not finite.
+    /// has a revolute ancestor, a link is neither extended nor thick, a universal limit does not name two different
+    /// revolute joints or an angle below pi / 2, or a number is not finite.
     SpatialArm(std::vector<SpatialJoint> joints, std::vector<SpatialLink> links,
                std::vector<UniversalLimit> universalLimits = {});
 
@@ -70,15 +71,18 @@ public:
     const std::vector<SpatialJoint> &joints() const { return joints_; }
     const std::vector<SpatialLink> &links() const { return links_; }
     const std::vector<UniversalLimit> &universalLimits() const { return universalLimits_; }
-    /// Bound on how far any point of the arm can be from where the first joint of its chain is, prismatic ways included.
+    /// Bound on how far any point of the arm can be from where the first joint of its chain is, prismatic ways
+    /// included.
     double reach() const { return reach_; }
-    /// Whether two links can collide with each other at all: not if they are rigidly connected or meet at a joint.
-    bool areNeighbours(int link, int other) const;
+    /// Whether two links are rigidly connected or meet at a joint, whatever the configuration; only other pairs can
+    /// collide with each other.
+    bool areNeighbours(int link, int other) const { return neighbours_[link * links_.size() + other]; }
 
     void place(const Eigen::Ref<const Eigen::VectorXd> &q, Placement &placement) const;
 
-    /// For the motion q + t * delta, t in [0, 1]: the way of any point of link i is at most lengths[i], its acceleration
-    /// at most bends[i], its angular velocity at most turns[i] and its angular acceleration at most turns[i]^2 / 2.
+    /// For the motion q + t * delta, t in [0, 1], and any point of link i's segment: its way is at most lengths[i], its
+    /// acceleration at most bends[i]; the link's angular velocity is at most turns[i] and its angular acceleration at
+    /// most turns[i]^2 / 2.
     void motionBounds(const Eigen::Ref<const Eigen::VectorXd> &delta, Eigen::VectorXd &lengths, Eigen::VectorXd &bends,
                       Eigen::VectorXd &turns) const;
 
@@ -91,16 +95,44 @@ public:
                      Eigen::VectorXd &gradient) const;
 
 private:
+    /// Orientation of a joint's moving frame in its parent's: fixed + sin(q) sine + (1 - cos(q)) cosine (Rodrigues).
+    struct Rotation
+    {
+        Eigen::Matrix3d fixed;
+        Eigen::Matrix3d sine;
+        Eigen::Matrix3d cosine;
+    };
+
+    /// A vector fixed in a joint's moving frame: its length, and its distance from that joint's axis.
+    struct Lever
+    {
+        double length;
+        double perpendicular;
+    };
+
+    Lever lever(int joint, const Eigen::Vector3d &vector) const;
+    void prepareJoint(int joint);
+    void prepareLink(int link);
+    void measureReach();
+
     std::vector<SpatialJoint> joints_;
     std::vector<SpatialLink> links_;
     std::vector<UniversalLimit> universalLimits_;
+    std::vector<Rotation> rotations_;          ///< per joint
+    std::vector<Eigen::Vector3d> directions_;  ///< per joint: a prismatic joint's axis in the world
+    std::vector<Lever> hops_;                  ///< per joint: from its parent's frame to its own
+    std::vector<Lever> extents_;               ///< per link: its farther end in its joint's frame
+    std::vector<bool> neighbours_;             ///< linkCount() x linkCount()
     double reach_ = 0.0;
 };
 
-/// A snake: n links of universal joints, each turning about its own y axis (pitch) and then z axis (yaw), stretched along
-/// x at zero; joint values are [slide,] pitch 1, yaw 1, pitch 2, yaw 2, ... (VDSM; tight maneuvering).
-/// \param slide limits and direction (unit) of a base that moves along a line, if there is one
-/// \param maxAngle largest bend of every universal joint; none: no limit
+/// areNeighbours() of all pairs of links, row by row. \param atZero the arm placed at zero
+std::vector<bool> findNeighbours(const SpatialArm &arm, const SpatialArm::Placement &atZero);
+
+/// A snake: n links of universal joints, each turning about its own y axis (pitch) and then z axis (yaw), stretched
+/// along x at zero; joint values are [slide,] pitch 1, yaw 1, pitch 2, yaw 2, ... (VDSM; tight maneuvering). \param
+/// slide limits and direction (unit) of a base that moves along a line, if there is one \param maxAngle largest bend of
+/// every universal joint; none: no limit
 SpatialArm universalChain(const Eigen::Vector3d &base, const std::vector<double> &lengths, double radius,
                           const std::optional<std::pair<Eigen::Vector3d, Interval>> &slide = std::nullopt,
                           std::optional<double> maxAngle = std::nullopt);

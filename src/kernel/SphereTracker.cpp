@@ -17,15 +17,15 @@ namespace
 class Spheres
 {
 public:
-    Spheres(const ArmHomotopy &homotopy, const SphereOptions &options, Trace &trace)
-      : homotopy_(homotopy), options_(options), trace_(trace), n_(homotopy.dimension())
+    Spheres(const HomotopyCurve &curve, const SphereOptions &options, Trace &trace)
+      : curve_(curve), options_(options), trace_(trace), n_(curve.equations()), goal_(curve.goalPoint())
     {
+        curve.configuration(curve.startPoint(), start_);
     }
 
     void run(const std::function<bool()> &interrupt)
     {
-        VectorXd previous, center(n_ + 1), next;
-        center << homotopy_.start(), 0.0;
+        VectorXd previous, center = curve_.startPoint(), next;
         keep(center);
         VectorXd heading = VectorXd::Zero(n_ + 1);
         heading[n_] = options_.window.decreasing ? -1.0 : 1.0;
@@ -57,26 +57,30 @@ public:
 private:
     void stop(TraceStatus status) { trace_.status = status; }
 
+    double lambda(const VectorXd &z) const { return z[n_] / curve_.lambdaScale(); }
+
     void keep(const VectorXd &z)
     {
-        trace_.configurations.push_back(z.head(n_));
-        trace_.lambdas.push_back(z[n_]);
+        trace_.configurations.emplace_back();
+        curve_.configuration(z, trace_.configurations.back());
+        trace_.lambdas.push_back(lambda(z));
     }
 
-    void sampleAt(const VectorXd &z)
+    void evaluate(const VectorXd &z)
     {
-        homotopy_.repulsion().evaluate(z.head(n_), sample_);
+        point_.z = z;
+        curve_.evaluate(point_);
         ++trace_.evaluations;
     }
 
-    /// Turns `heading` into the unit tangent of the curve at z that points the same way.
+    /// Turns `heading` into the unit tangent of the curve at z that points the
+    /// same way.
     bool tangent(const VectorXd &z, VectorXd &heading)
     {
-        sampleAt(z);
-        homotopy_.jacobian(sample_, jacobian_);
-        if (!jacobian_.allFinite())
+        evaluate(z);
+        if (!point_.jacobian.allFinite())
             return false;
-        const Eigen::ColPivHouseholderQR<MatrixXd> qr(jacobian_.transpose());
+        const Eigen::ColPivHouseholderQR<MatrixXd> qr(point_.jacobian.transpose());
         if (qr.rank() < n_)
             return false;
         const MatrixXd basis = qr.householderQ();
@@ -88,10 +92,9 @@ private:
     /// H and the sphere's equation (Eq. 28) at z.
     void system(const VectorXd &z, const VectorXd &center, VectorXd &f)
     {
-        sampleAt(z);
-        homotopy_.residual(z.head(n_), z[n_], sample_, h_);
+        evaluate(z);
         f.resize(n_ + 1);
-        f << h_, (z - center).squaredNorm() - options_.radius * options_.radius;
+        f << point_.residual, (z - center).squaredNorm() - options_.radius * options_.radius;
     }
 
     /// Broyden's good method, inverse update.
@@ -100,16 +103,16 @@ private:
         z = predicted;
         VectorXd f, next;
         system(z, center, f);
-        homotopy_.jacobian(sample_, jacobian_);
         MatrixXd full(n_ + 1, n_ + 1);
-        full << jacobian_, 2.0 * (z - center).transpose();
+        full << point_.jacobian, 2.0 * (z - center).transpose();
         if (!full.allFinite())
             return false;
         MatrixXd inverse = full.partialPivLu().inverse();
         for (int i = 0; i < options_.maxCorrections; ++i)
         {
             const VectorXd step = -inverse * f;
-            // Written so that a NaN is refused too. A point further off than this is another piece of the curve.
+            // Written so that a NaN is refused too. A point further off than this is
+            // another piece of the curve.
             if (!(step.norm() <= 4.0 * options_.radius))
                 return false;
             z += step;
@@ -126,30 +129,30 @@ private:
         return false;
     }
 
-    bool crossed(const VectorXd &from, const VectorXd &to) const { return (from[n_] - 1.0) * (to[n_] - 1.0) <= 0.0; }
+    bool crossed(const VectorXd &from, const VectorXd &to) const
+    {
+        return (lambda(from) - 1.0) * (lambda(to) - 1.0) <= 0.0;
+    }
 
     /// Refines the root at lambda = 1 and says whether the trace is over.
     bool endGame(const VectorXd &from, const VectorXd &to)
     {
-        const double t = (1.0 - from[n_]) / (to[n_] - from[n_]);
+        const double t = (goal_[n_] - from[n_]) / (to[n_] - from[n_]);
         VectorXd root = from + t * (to - from);
-        root[n_] = 1.0;
+        root[n_] = goal_[n_];
         for (int i = 0; i < options_.maxCorrections; ++i)
         {
-            sampleAt(root);
-            homotopy_.residual(root.head(n_), 1.0, sample_, h_);
-            homotopy_.jacobian(sample_, jacobian_);
-            const VectorXd step = jacobian_.leftCols(n_).partialPivLu().solve(h_);
+            evaluate(root);
+            const VectorXd step = point_.jacobian.leftCols(n_).partialPivLu().solve(point_.residual);
             if (!step.allFinite())
                 break;
             root.head(n_) -= step;
             if (step.norm() <= options_.tolerance)
                 break;
         }
-        if ((root.head(n_) - homotopy_.goal()).norm() <= options_.window.goalTolerance)
+        if ((root - goal_).norm() <= options_.window.goalTolerance)
         {
-            root.head(n_) = homotopy_.goal();
-            keep(root);
+            keep(goal_);
             stop(TraceStatus::ReachedGoal);
             return true;
         }
@@ -163,37 +166,38 @@ private:
 
     bool left(const VectorXd &z)
     {
-        const double deviation = (z.head(n_) - homotopy_.start()).norm();
-        std::optional<TraceStatus> end = departure(options_.window, z[n_], deviation, trace_.wrongRoots);
-        const double nearby = 0.5 * options_.radius;
-        if (!end && trace_.steps > 3 && deviation < nearby && std::abs(z[n_]) < nearby)
+        const double deviation = (trace_.configurations.back() - start_).norm();
+        std::optional<TraceStatus> end = departure(options_.window, lambda(z), deviation, trace_.wrongRoots);
+        if (!end && trace_.steps > 3 && (z - curve_.startPoint()).norm() < 0.5 * options_.radius)
             end = TraceStatus::ClosedLoop;
         if (end)
             stop(*end);
         return end.has_value();
     }
 
-    const ArmHomotopy &homotopy_;
+    const HomotopyCurve &curve_;
     const SphereOptions &options_;
     Trace &trace_;
     const int n_;
-    ArmRepulsion::Sample sample_;
-    VectorXd h_;
-    MatrixXd jacobian_;
+    const VectorXd goal_;
+    VectorXd start_;
+    CurvePoint point_;
 };
 }  // namespace
 
-Trace traceSpheres(const ArmHomotopy &homotopy, const SphereOptions &options, const std::function<bool()> &interrupt)
+Trace traceSpheres(const HomotopyCurve &curve, const SphereOptions &options, const std::function<bool()> &interrupt)
 {
     if (!(options.radius > 0.0))
         throw std::invalid_argument("the hyperspheres' radius must be positive");
     if (options.maxSpheres < 1 || options.maxCorrections < 1 || !(options.tolerance > 0.0))
-        throw std::invalid_argument("the numbers of spheres and corrections and the tolerance must be positive");
+        throw std::invalid_argument(
+            "the numbers of spheres and corrections and "
+            "the tolerance must be positive");
     checkWindow(options.window);
-    if (homotopy.difference().norm() == 0.0)
-        return standStill(homotopy.start());
     Trace trace;
-    Spheres(homotopy, options, trace).run(interrupt);
+    if (standsStill(curve, trace))
+        return trace;
+    Spheres(curve, options, trace).run(interrupt);
     return trace;
 }
 }  // namespace narrows

@@ -3,27 +3,27 @@
 
 #include <functional>
 
-#include "kernel/ArmHomotopy.h"
+#include "kernel/HomotopyCurve.h"
 #include "kernel/Trace.h"
 
 namespace narrows
 {
 struct SphereOptions
 {
-    double radius = 0.02;  ///< of every hypersphere, in (w, lambda); the paper uses 0.001 to 0.04
+    double radius = 0.02;  ///< of every hypersphere, in the metric of z; the paper uses 0.001 to 0.04
     int maxSpheres = 20000;
-    double tolerance = 1e-11;  ///< on the corrector's last update, in (w, lambda)
+    double tolerance = 1e-11;  ///< on the corrector's last update
     int maxCorrections = 30;
     TraceWindow window;
 };
 
-/// The paper's algorithm to the letter (HPPM-PRA, Algorithm 1, Section 2): hyperspheres of fixed radius along the curve
-/// in v + 1 dimensions, Euler's predictor for the first two, then the secant through the last two centers, and
+/// The paper's algorithm to the letter (HPPM-PRA, Algorithm 1, Section 2), meant for a FullHomotopy: hyperspheres of
+/// fixed radius along the curve, Euler's predictor for the first two, then the secant through the last two centers, and
 /// Broyden's corrector, started from the analytic Jacobian at the predicted point. Where a sphere's step crosses lambda
 /// = 1, the root there is refined by Newton's method and compared with the goal.
 ///
 /// Numerical trouble never throws: the status says how the trace ended.
 /// \throws std::invalid_argument if an option is out of range.
-Trace traceSpheres(const ArmHomotopy &homotopy, const SphereOptions &options = {},
+Trace traceSpheres(const HomotopyCurve &curve, const SphereOptions &options = {},
                    const std::function<bool()> &interrupt = {});
 }  // namespace narrows

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace narrows
 {
@@ -84,28 +85,44 @@ double SuperellipseGeometry::support(const Vector2d &direction) const
     return height;
 }
 
+/// At a point of the boundary, relative to the center; infinite where the boundary is flat.
+double SuperellipseGeometry::curvatureRadius(const Vector2d &point) const
+{
+    const Vector2d scaled = point.cwiseQuotient(halfExtents_).cwiseAbs();
+    const Vector2d bend = quartic_
+                              ? Vector2d(scaled.cwiseProduct(scaled))
+                              : Vector2d(std::pow(scaled.x(), exponent_ - 2.0), std::pow(scaled.y(), exponent_ - 2.0));
+    const Vector2d slope = bend.cwiseProduct(scaled).cwiseQuotient(halfExtents_);
+    const Vector2d second = (exponent_ - 1.0) * bend.cwiseQuotient(halfExtents_.cwiseProduct(halfExtents_));
+    const double square = slope.squaredNorm();
+    return square * std::sqrt(square) / (second.x() * slope.y() * slope.y() + second.y() * slope.x() * slope.x());
+}
+
 bool SuperellipseGeometry::farther(const Vector2d &a, const Vector2d &b, double threshold) const
 {
-    const double tolerance = 1e-12 * halfExtents_.maxCoeff();
-    return segmentDistance(a, b, threshold, tolerance).lower > threshold;
+    return segmentDistance(a, b, {threshold, threshold, tolerance(), 0.0}).lower > threshold;
 }
 
 double SuperellipseGeometry::distance(const Vector2d &a, const Vector2d &b) const
 {
-    const double tolerance = 1e-12 * halfExtents_.maxCoeff();
-    return segmentDistance(a, b, -1.0, tolerance).lower;
+    return segmentDistance(a, b, {-1.0, std::numeric_limits<double>::infinity(), tolerance(), 0.0}).lower;
 }
 
-/// Bounds on the distance of segment and shape, as soon as they decide about a threshold (negative: never) or agree.
+SuperellipseGeometry::Separation SuperellipseGeometry::separate(const Vector2d &a, const Vector2d &b, double little,
+                                                                double enough) const
+{
+    return segmentDistance(a, b, {little, enough, tolerance(), 1.0 / 32.0});
+}
+
 /// The distance to the points of a line is convex along it, so that the nearest point is where the line comes nearest
 /// to the shape, or the end on that side.
-SuperellipseGeometry::Bracket SuperellipseGeometry::segmentDistance(const Vector2d &a, const Vector2d &b,
-                                                                    double threshold, double tolerance) const
+SuperellipseGeometry::Separation SuperellipseGeometry::segmentDistance(const Vector2d &a, const Vector2d &b,
+                                                                       const Purpose &purpose) const
 {
     const Vector2d along = b - a;
     const double length = along.norm();
     if (!(length > 0.0))
-        return pointDistance(a, threshold, tolerance);
+        return pointDistance(a, purpose);
 
     Vector2d normal(-along.y() / length, along.x() / length);
     const double offset = normal.dot(a - center_);
@@ -114,34 +131,34 @@ SuperellipseGeometry::Bracket SuperellipseGeometry::segmentDistance(const Vector
     double height;
     const Vector2d nearest = supportPoint(normal, height);
     const double gap = std::abs(offset) - height;  // between the line and the shape
-    if (gap > threshold && gap > 0.0 && threshold >= 0.0)
-        return {gap, gap};
+    if (gap > purpose.enough && gap > 0.0)
+        return {gap, gap, normal};
 
     const bool lineMisses = gap > 0.0;
     const double foot = along.dot(center_ + nearest - a) / (length * length);
     if (lineMisses && foot >= 0.0 && foot <= 1.0)
-        return {gap, gap};
+        return {gap, gap, normal};
     if (lineMisses)
-        return pointDistance(foot < 0.0 ? a : b, threshold, tolerance);
+        return pointDistance(foot < 0.0 ? a : b, purpose);
     // The line meets the shape. Where value() falls towards an end, the shape lies beyond it.
     if (value(a) <= 0.0 || value(b) <= 0.0)
-        return {0.0, 0.0};
+        return {0.0, 0.0, normal};
     if (slope(a, along) >= 0.0)
-        return pointDistance(a, threshold, tolerance);
+        return pointDistance(a, purpose);
     if (slope(b, along) <= 0.0)
-        return pointDistance(b, threshold, tolerance);
-    return {0.0, 0.0};
+        return pointDistance(b, purpose);
+    return {0.0, 0.0, normal};
 }
 
 /// Maximises the separation d . (point - center) - support(d) over unit directions d in the point's quadrant. Every d
 /// gives a lower bound on the distance and every support point an upper one; the derivative over the angle is monotone.
-SuperellipseGeometry::Bracket SuperellipseGeometry::pointDistance(const Vector2d &point, double threshold,
-                                                                  double tolerance) const
+SuperellipseGeometry::Separation SuperellipseGeometry::pointDistance(const Vector2d &point,
+                                                                     const Purpose &purpose) const
 {
     const Vector2d corner = (point - center_).cwiseAbs();
     const double outside = value(point);
     if (outside <= 0.0)
-        return {0.0, 0.0};
+        return {0.0, 0.0, Vector2d::UnitX()};
 
     // First guess: the normal where the ray from the center leaves the shape.
     const Vector2d scaled = corner.cwiseQuotient(halfExtents_);
@@ -152,28 +169,34 @@ SuperellipseGeometry::Bracket SuperellipseGeometry::pointDistance(const Vector2d
     double angle = std::atan2(raised(scaled.y()) / halfExtents_.y(), raised(scaled.x()) / halfExtents_.x());
     double low = 0.0;
     double high = std::acos(0.0);
-    Bracket bracket{0.0, corner.norm()};
+    Separation found{0.0, corner.norm(), corner / corner.norm()};
     for (int iteration = 0; iteration < 100; ++iteration)
     {
         const Vector2d direction(std::cos(angle), std::sin(angle));
         double height;
         const Vector2d nearest = supportPoint(direction, height);
         const Vector2d apart = corner - nearest.cwiseAbs();
-        bracket.lower = std::max(bracket.lower, direction.dot(corner) - height);
-        bracket.upper = std::min(bracket.upper, apart.norm());
-        const bool decided = threshold >= 0.0 && (bracket.lower > threshold || bracket.upper <= threshold);
-        if (decided || bracket.upper - bracket.lower <= tolerance)
+        const double lower = direction.dot(corner) - height;
+        if (lower > found.lower)
+        {
+            found.lower = lower;
+            found.direction = direction;
+        }
+        found.upper = std::min(found.upper, apart.norm());
+        const double open = found.upper - found.lower;
+        if (found.lower > purpose.enough || found.upper <= purpose.little || open <= purpose.tolerance ||
+            open <= purpose.share * (found.lower - purpose.little))
             break;
         const double turn = direction.x() * apart.y() - direction.y() * apart.x();
         (turn > 0.0 ? low : high) = angle;
-        // The witness gives the next direction; where the shape is so flat that this does not shrink the bracket, halve
-        // it.
-        const double proposed = std::atan2(std::max(apart.y(), 0.0), std::max(apart.x(), 0.0));
-        const bool inside = proposed > low && proposed < high && apart.minCoeff() > 0.0;
-        angle = inside && iteration % 3 != 2 ? proposed : 0.5 * (low + high);
+        // Newton's step; where the shape is so flat that it leads astray, halve the bracket.
+        const double proposed = angle + turn / (direction.dot(apart) + curvatureRadius(nearest));
+        angle = proposed > low && proposed < high && iteration % 4 != 3 ? proposed : 0.5 * (low + high);
         if (!(high - low > 1e-16))
             break;
     }
-    return bracket;
+    found.direction.x() = std::copysign(found.direction.x(), point.x() - center_.x());
+    found.direction.y() = std::copysign(found.direction.y(), point.y() - center_.y());
+    return found;
 }
 }  // namespace narrows

@@ -11,6 +11,8 @@ class SuperellipseGeometry
 public:
     explicit SuperellipseGeometry(const Superellipse &shape);
 
+    const Eigen::Vector2d &center() const { return center_; }
+
     /// |x/a|^p + |y/b|^p - 1 at a point: negative inside, 0 on the boundary, convex.
     double value(const Eigen::Vector2d &point) const;
 
@@ -28,18 +30,34 @@ public:
     /// size too small.
     double distance(const Eigen::Vector2d &a, const Eigen::Vector2d &b) const;
 
-private:
-    struct Bracket
+    /// Bounds on the distance between a segment and the shape.
+    struct Separation
     {
         double lower;
         double upper;
+        Eigen::Vector2d direction;  ///< unit vector from the shape to the segment, along which `lower` holds
+    };
+
+    /// Stops as soon as lower > enough, or upper <= little, or what the bounds leave open is below 1/32 of lower -
+    /// little.
+    Separation separate(const Eigen::Vector2d &a, const Eigen::Vector2d &b, double little, double enough) const;
+
+private:
+    /// When to stop refining bounds on a distance.
+    struct Purpose
+    {
+        double little;     ///< an upper bound of at most this will do
+        double enough;     ///< a lower bound above this will do
+        double tolerance;  ///< bounds this close will do
+        double share;      ///< so will bounds this close by lower - little
     };
 
     double power(double base) const;
     Eigen::Vector2d supportPoint(const Eigen::Vector2d &direction, double &height) const;
-    Bracket segmentDistance(const Eigen::Vector2d &a, const Eigen::Vector2d &b, double threshold,
-                            double tolerance) const;
-    Bracket pointDistance(const Eigen::Vector2d &point, double threshold, double tolerance) const;
+    double curvatureRadius(const Eigen::Vector2d &point) const;
+    Separation segmentDistance(const Eigen::Vector2d &a, const Eigen::Vector2d &b, const Purpose &purpose) const;
+    Separation pointDistance(const Eigen::Vector2d &point, const Purpose &purpose) const;
+    double tolerance() const { return 1e-12 * halfExtents_.maxCoeff(); }
 
     Eigen::Vector2d center_;
     Eigen::Vector2d halfExtents_;

@@ -16,4 +16,16 @@ void tipJacobian(const PlanarArm &arm, ConfigurationRef q, int link, Eigen::Matr
         jacobian.col(arm.firstAngle() + i) = arm.links()[i].length * Eigen::Vector2d(-std::sin(angle), std::cos(angle));
     }
 }
+
+void tipJacobian(const SpatialArm &arm, const SpatialArm::Placement &placement, int link, Eigen::Matrix3Xd &jacobian)
+{
+    jacobian.resize(3, arm.dimension());
+    Eigen::VectorXd gradient(arm.dimension());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        gradient.setZero();
+        arm.addGradient(placement, link, placement.points[2 * link + 1], Eigen::Vector3d::Unit(axis), gradient);
+        jacobian.row(axis) = gradient.transpose();
+    }
+}
 }  // namespace narrows

@@ -23,6 +23,8 @@ std::string toString(TraceStatus status)
             return "corrector_failed";
         case TraceStatus::StepUnderflow:
             return "step_underflow";
+        case TraceStatus::InvalidStart:
+            return "invalid_start";
         case TraceStatus::Singular:
             return "singular";
         case TraceStatus::MaxSteps:
@@ -31,6 +33,30 @@ std::string toString(TraceStatus status)
             return "interrupted";
     }
     throw std::logic_error("a trace status without a name");
+}
+
+std::string toString(StepLimit limit)
+{
+    switch (limit)
+    {
+        case StepLimit::Longest:
+            return "longest";
+        case StepLimit::Growth:
+            return "growth";
+        case StepLimit::Correction:
+            return "correction";
+        case StepLimit::Contraction:
+            return "contraction";
+        case StepLimit::Turn:
+            return "turn";
+        case StepLimit::Determinant:
+            return "determinant";
+        case StepLimit::Pole:
+            return "pole";
+        case StepLimit::Guard:
+            return "guard";
+    }
+    throw std::logic_error("a step limit without a name");
 }
 
 void checkWindow(const TraceWindow &window)
@@ -52,12 +78,16 @@ std::optional<TraceStatus> departure(const TraceWindow &window, double lambda, d
     return std::nullopt;
 }
 
-Trace standStill(const Eigen::VectorXd &start)
+bool standsStill(const HomotopyCurve &curve, Trace &trace)
 {
-    Trace trace;
+    Eigen::VectorXd start, goal;
+    curve.configuration(curve.startPoint(), start);
+    curve.configuration(curve.goalPoint(), goal);
+    if (start != goal)
+        return false;
     trace.status = TraceStatus::ReachedGoal;
     trace.configurations.push_back(start);
     trace.lambdas.push_back(1.0);
-    return trace;
+    return true;
 }
 }  // namespace narrows

@@ -54,7 +54,7 @@ ArmDecomposition::ArmDecomposition(const ob::SpaceInformationPtr &si)
 
 bool ArmDecomposition::sampleFromRegion(int region, ob::State *state, const ob::State *seed) const
 {
-    const int tip = space_->arm().linkCount() - 1;
+    const int tip = space_->lastLink();
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
         if (seed != nullptr)
@@ -75,11 +75,8 @@ bool ArmDecomposition::sampleFromRegion(int region, ob::State *state, const ob::
 
 void ArmDecomposition::project(const ob::State *state, std::vector<double> &position, int /*layer*/) const
 {
-    Eigen::VectorXd q;
-    std::vector<Eigen::Vector2d> points;
-    space_->toAbsolute(state, q);
-    space_->arm().place(q, points);
-    position = {points.back().x(), points.back().y()};
+    const Eigen::Vector2d tip = space_->tip(state, space_->lastLink());
+    position = {tip.x(), tip.y()};
 }
 
 void ArmDecomposition::project(const ob::State *state, std::vector<int> &regions) const

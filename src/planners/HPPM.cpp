@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/HPPM.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <ompl/base/goals/GoalSampleableRegion.h>
+
+#include "kernel/FullHomotopy.h"
+#include "planners/NumberList.h"
 
 namespace narrows
 {
-HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> model)
-  : ModelPlanner(si, std::move(model), "HPPM"),
-    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
-    repulsion_(Eigen::VectorXd::Constant(1, 0.01)),
+HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionModel> model)
+  : ModelPlanner(si, "HPPM"),
+    model_(std::move(model)),
+    space_(si->getStateSpace()->as<ArmStateSpace>()),
     startState_(si)
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
+    given_.continuous = false;
+    given_.strengths = Eigen::MatrixXd::Constant(1, 1, 0.01);
+    given_.couplings = Eigen::VectorXd::Ones(1);
     declareParameters();
 }
 
@@ -21,20 +30,32 @@ ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
     checkValidity();
     if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-    if (!ArmRepulsion::supports(*model_))
+    if (!takeStart())
+        return ob::PlannerStatus::INVALID_START;
+    return restarts_ ? restart(ptc) : followGiven(ptc);
+}
+
+bool HPPM::takeStart()
+{
+    if (started_)
+        return true;
+    const ob::State *state = pis_.nextStart();
+    if (state == nullptr)
+        return false;
+    si_->copyState(startState_.get(), state);
+    space_->toConfiguration(state, start_);
+    started_ = true;
+    return true;
+}
+
+ob::PlannerStatus HPPM::followGiven(const ob::PlannerTerminationCondition &ptc)
+{
+    if (!given_.continuous && !model_->supportsPoints())
     {
-        reason_ = "polygon";
+        reason_ = "no_points";
         return ob::PlannerStatus::ABORT;
     }
-    if (start_.size() == 0)
-    {
-        const ob::State *state = pis_.nextStart();
-        if (state == nullptr)
-            return ob::PlannerStatus::INVALID_START;
-        si_->copyState(startState_.get(), state);
-        space_->toAbsolute(state, start_);
-    }
-
+    const CurveRecipe recipe = givenRecipe();
     // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when it has none left, nextGoal() does
     // not.
     while (!ptc)
@@ -42,19 +63,13 @@ ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
         const ob::State *goal = traces_.empty() ? pis_.nextGoal(ptc) : pis_.nextGoal();
         if (goal == nullptr)
             return traces_.empty() ? ob::PlannerStatus(ob::PlannerStatus::INVALID_GOAL) : giveUp();
-        if (attempt(goal, ptc))
-        {
-            // A copy, because simplifiers edit solutions in place and getPlannerData() reads traces_.
-            pdef_->addSolutionPath(std::make_shared<og::PathGeometric>(*traces_.back()), false, 0.0, getName());
-            return ob::PlannerStatus::EXACT_SOLUTION;
-        }
+        Attempt result = full_ ? attemptFull(recipe, goal, ptc) : attempt(recipe, goal, ptc);
+        keep(std::move(result.path), result.reached);
+        reason_ = result.reason;
+        if (reason_.empty())
+            return succeed();
     }
     return solvedBefore() ? ob::PlannerStatus::EXACT_SOLUTION : ob::PlannerStatus::TIMEOUT;
-}
-
-bool HPPM::solvedBefore() const
-{
-    return pdef_->hasExactSolution();
 }
 
 ob::PlannerStatus HPPM::giveUp() const
@@ -62,61 +77,147 @@ ob::PlannerStatus HPPM::giveUp() const
     return solvedBefore() ? ob::PlannerStatus::EXACT_SOLUTION : ob::PlannerStatus::ABORT;
 }
 
-bool HPPM::attempt(const ob::State *goal, const ob::PlannerTerminationCondition &ptc)
+ob::PlannerStatus HPPM::succeed()
 {
-    Eigen::VectorXd goalAngles;
-    space_->toAbsolute(goal, goalAngles);
+    reason_.clear();
+    // A copy, because simplifiers edit solutions in place and getPlannerData() reads traces_.
+    pdef_->addSolutionPath(std::make_shared<og::PathGeometric>(*traces_.back()), false, 0.0, getName());
+    return ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+Eigen::VectorXd HPPM::turned(const ob::State *goal, const Eigen::VectorXi &turns) const
+{
+    constexpr double fullTurn = 2.0 * 3.14159265358979323846;
+    ob::ScopedState<> state(si_);
+    si_->copyState(state.get(), goal);
+    for (Eigen::Index j = 0; j < turns.size(); ++j)
+        state->as<ob::RealVectorStateSpace::StateType>()->values[j] += fullTurn * turns[j];
+    Eigen::VectorXd q;
+    space_->toConfiguration(state.get(), q);
+    return q;
+}
+
+CurveRecipe HPPM::givenRecipe() const
+{
+    CurveRecipe recipe = given_;
+    const Eigen::Index count = static_cast<Eigen::Index>(model_->groups().size());
+    const Eigen::MatrixXd &given = given_.strengths;
+    // One number stands for all obstacles; groups that no number is given for (limits, self) have no poles.
+    recipe.strengths = Eigen::MatrixXd::Zero(given.rows(), count);
+    if (given.cols() == 1)
+        recipe.strengths.leftCols(static_cast<Eigen::Index>(model_->obstacleCount())).colwise() = given.col(0);
+    else
+        recipe.strengths.leftCols(given.cols()) = given;
+    if (recipe.couplings.size() == 1)
+        recipe.couplings = Eigen::VectorXd::Constant(given.rows(), given_.couplings[0]);
+    return recipe;
+}
+
+Eigen::MatrixXd HPPM::givenRows() const
+{
+    if (given_.directions.size() > 0)
+        return rowsOfSlice(given_.directions.col(0), given_.couplings[0]);
+    return rows_.size() > 0 ? rows_ : Eigen::MatrixXd(Eigen::MatrixXd::Identity(joints(), joints()));
+}
+
+std::vector<std::shared_ptr<const Repulsion>> HPPM::repulsions(const CurveRecipe &recipe) const
+{
+    std::vector<std::shared_ptr<const Repulsion>> result;
+    for (Eigen::Index row = 0; row < recipe.strengths.rows(); ++row)
+    {
+        const Eigen::RowVectorXd strengths = recipe.strengths.row(row);
+        const std::vector<double> list(strengths.data(), strengths.data() + strengths.size());
+        result.push_back(recipe.continuous ? model_->continuous(list) : model_->points(list, recipe.pointsPerLink));
+    }
+    return result;
+}
+
+TrackerOptions HPPM::trackerOptions(const CurveRecipe &recipe) const
+{
+    TrackerOptions options;
+    options.maxStep = maxStep_ > 0.0 ? maxStep_ : 0.2 * std::sqrt(static_cast<double>(std::max<Eigen::Index>(3, joints())));
+    options.firstStep = std::min(options.firstStep, options.maxStep);
+    options.maxSteps = maxSteps_ > 0 ? maxSteps_ : restarts_ ? 200 : 5000;
+    options.endShare = restarts_ ? 3e-3 : 0.0;
+    options.window = recipe.window;
+    return options;
+}
+
+SliceHomotopy HPPM::makeSlice(const CurveRecipe &recipe, const Eigen::VectorXd &start, const Eigen::VectorXd &goal) const
+{
+    const Eigen::VectorXd &from = recipe.fromGoal ? goal : start;
+    const Eigen::VectorXd &to = recipe.fromGoal ? start : goal;
+    if (recipe.directions.size() == 0)
+        return SliceHomotopy::fromRows(repulsions(recipe).front(), from, to, givenRows());
+    return {repulsions(recipe), from, to, recipe.directions, recipe.couplings, recipe.schedule};
+}
+
+SliceHomotopy HPPM::slice(const ob::State *start, const ob::State *goal) const
+{
+    const CurveRecipe recipe = givenRecipe();
+    return makeSlice(recipe, turned(start, {}), turned(goal, recipe.turns));
+}
+
+HPPM::Attempt HPPM::attempt(const CurveRecipe &recipe, const ob::State *goal, const ob::PlannerTerminationCondition &ptc)
+{
+    last_ = recipe;
+    const SliceHomotopy curve = makeSlice(recipe, start_, turned(goal, recipe.turns));
     const auto interrupt = [&ptc]()
     {
         return ptc();
     };
-    Trace trace;
-    if (form_ == "full")
+    TrackerOptions options = trackerOptions(recipe);
+    const Attempt first = judge(track(curve, options, interrupt), recipe.fromGoal, goal);
+    if (!first.reached || first.reason.empty())
+        return first;
+    options.maxSteps *= 4;
+    options.guard = [this](const Eigen::VectorXd &from, const Eigen::VectorXd &to)
     {
-        spheres_.window = window_;
-        trace = traceSpheres(makeHomotopy(goalAngles), spheres_, interrupt);
-    }
-    else
-    {
-        plane_.window = window_;
-        trace = tracePlane(makeHomotopy(goalAngles), plane_, interrupt);
-    }
+        return isFree(from, to);
+    };
+    const Attempt second = judge(track(curve, options, interrupt), recipe.fromGoal, goal);
+    return second.reached ? second : first;
+}
+
+HPPM::Attempt HPPM::attemptFull(const CurveRecipe &recipe, const ob::State *goal,
+                                const ob::PlannerTerminationCondition &ptc)
+{
+    spheres_.window = recipe.window;
+    const FullHomotopy curve(repulsions(recipe).front(), start_, turned(goal, recipe.turns), givenRows());
+    return judge(traceSpheres(curve, spheres_, [&ptc]() { return ptc(); }), false, goal);
+}
+
+HPPM::Attempt HPPM::judge(const Trace &trace, bool fromGoal, const ob::State *goal)
+{
     measure(trace);
-    keep(trace, goal);
-    reason_ = toString(trace.status);
-    if (trace.status != TraceStatus::ReachedGoal)
-        return false;
-    reason_ = isFree(*traces_.back()) ? "" : "collision";
-    return reason_.empty();
+    Attempt result{nullptr, trace.status == TraceStatus::ReachedGoal, toString(trace.status)};
+    if (result.reached || !restarts_)  // what restarts try in vain is not kept
+        result.path = toPath(trace, fromGoal, goal);
+    if (result.reached)
+        result.reason = isFree(*result.path) ? "" : "collision";
+    return result;
 }
 
-ArmHomotopy HPPM::makeHomotopy(const Eigen::VectorXd &goal) const
+std::shared_ptr<og::PathGeometric> HPPM::toPath(const Trace &trace, bool fromGoal, const ob::State *goal) const
 {
-    std::vector<double> strengths(model_->obstacles.size(), repulsion_[0]);
-    if (repulsion_.size() > 1)
-        strengths.assign(repulsion_.data(), repulsion_.data() + repulsion_.size());
-    ArmRepulsion repulsion(*model_, strengths, pointsPerLink_);
-    if (direction_.size() > 0)
-        return ArmHomotopy::fromDirection(std::move(repulsion), start_, goal, direction_, strength_);
-    const Eigen::Index n = start_.size();
-    return ArmHomotopy::fromRows(std::move(repulsion), start_, goal,
-                                 rows_.size() > 0 ? rows_ : Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)));
-}
-
-void HPPM::keep(const Trace &trace, const ob::State *goal)
-{
-    auto path = std::make_shared<og::PathGeometric>(si_, startState_.get());
-    for (std::size_t i = 1; i < trace.configurations.size(); ++i)
+    auto path = std::make_shared<og::PathGeometric>(si_);
+    std::vector<ob::State *> &states = path->getStates();
+    for (const Eigen::VectorXd &q : trace.configurations)
     {
-        ob::State *state = si_->allocState();
-        space_->fromAbsolute(trace.configurations[i], state);
-        path->getStates().push_back(state);
+        states.push_back(si_->allocState());
+        space_->fromConfiguration(q, states.back());
     }
-    // OMPL's default goal tolerance is machine epsilon: the path ends in the goal state itself.
-    if (trace.status == TraceStatus::ReachedGoal && path->getStateCount() > 1)
-        si_->copyState(path->getStates().back(), goal);
-    reached_.push_back(trace.status == TraceStatus::ReachedGoal);
-    traces_.push_back(std::move(path));
+    if (fromGoal)
+        std::reverse(states.begin(), states.end());
+    // The ends that a trace touches are these states exactly: OMPL's default goal tolerance is machine epsilon.
+    const bool reached = trace.status == TraceStatus::ReachedGoal;
+    if (reached && states.size() == 1)
+        states.push_back(si_->cloneState(goal));
+    if (reached || !fromGoal)
+        si_->copyState(states.front(), startState_.get());
+    if (reached || fromGoal)
+        si_->copyState(states.back(), goal);
+    return path;
 }
 
 bool HPPM::isFree(const og::PathGeometric &path) const
@@ -127,23 +228,47 @@ bool HPPM::isFree(const og::PathGeometric &path) const
     return true;
 }
 
+void HPPM::keep(std::shared_ptr<og::PathGeometric> path, bool reached)
+{
+    traces_.push_back(std::move(path));
+    reached_.push_back(reached);
+}
+
 void HPPM::measure(const Trace &trace)
 {
     measures_["homotopy_evaluations"] += static_cast<double>(trace.evaluations);
-    measures_[form_ == "full" ? "hyperspheres" : "steps"] += trace.steps;
+    measures_[full_ && !restarts_ ? "hyperspheres" : "steps"] += trace.steps;
     measures_["rejected_steps"] += trace.rejected;
     measures_["wrong_roots"] += trace.wrongRoots;
     measures_["traces"] += 1.0;
+    if (restarts_)
+        measures_["ended_" + toString(trace.status)] += 1.0;
 }
 
 void HPPM::clear()
 {
     Planner::clear();
-    start_.resize(0);
+    started_ = false;
+    targets_.clear();
+    attempts_ = 0;
+    last_.reset();
     traces_.clear();
     reached_.clear();
     reason_.clear();
     measures_.clear();
+}
+
+std::map<std::string, std::string> HPPM::recipe() const
+{
+    if (!last_)
+        return {};
+    std::map<std::string, std::string> parameters = last_->parameters();
+    if (last_->directions.size() == 0)
+    {
+        parameters.erase("direction");
+        parameters["rows"] = toText(givenRows());
+    }
+    return parameters;
 }
 
 void HPPM::getPlannerData(ob::PlannerData &data) const

@@ -16,58 +16,113 @@ void require(bool condition, const std::string &message)
     if (!condition)
         throw std::invalid_argument(message);
 }
+
+/// Whole numbers, one per joint, or none.
+Eigen::VectorXi readPerJoint(const std::string &name, const std::string &list, Eigen::Index joints, int largest)
+{
+    const Eigen::VectorXd values = parseVector(list);
+    require(values.size() == 0 || values.size() == joints,
+            fmt::format("{} needs {} numbers, not {}", name, joints, values.size()));
+    const Eigen::VectorXi whole = values.cast<int>();
+    require(whole.cast<double>() == values && (whole.size() == 0 || whole.cwiseAbs().maxCoeff() <= largest),
+            fmt::format("{} takes whole numbers from -{} to {}", name, largest, largest));
+    return whole;
+}
 }  // namespace
 
 void HPPM::declareParameters()
 {
+    declareParam<std::string>("search", this, &HPPM::setSearch, &HPPM::getSearch, "restarts,paper");
+    declareParam<int>("tries", this, &HPPM::setTries, &HPPM::getTries, "1:1:1000000");
+    declareParam<int>("pole_rows", this, &HPPM::setPoleRows, &HPPM::getPoleRows, "1:1:4");
+    declareParam<int>("goal_candidates", this, &HPPM::setGoalCandidates, &HPPM::getGoalCandidates, "1:1:100");
+    declareParam<double>("max_step", this, &HPPM::setMaxStep, &HPPM::getMaxStep, "0:0.0001:1.");
+    declareParam<int>("max_steps", this, &HPPM::setMaxSteps, &HPPM::getMaxSteps, "0:1:1000000");
+
     declareParam<std::string>("form", this, &HPPM::setForm, &HPPM::getForm, "plane,full");
+    declareParam<std::string>("poles", this, &HPPM::setPoles, &HPPM::getPoles, "points,continuous");
     declareParam<int>("points_per_link", this, &HPPM::setPointsPerLink, &HPPM::getPointsPerLink, "1:1:200");
     declareParam<std::string>("repulsion", this, &HPPM::setRepulsion, &HPPM::getRepulsion);
     declareParam<std::string>("rows", this, &HPPM::setRows, &HPPM::getRows);
     declareParam<std::string>("direction", this, &HPPM::setDirection, &HPPM::getDirection);
-    declareParam<double>("strength", this, &HPPM::setStrength, &HPPM::getStrength, "-100.:0.01:100.");
+    declareParam<std::string>("strength", this, &HPPM::setStrength, &HPPM::getStrength);
+    declareParam<std::string>("turns", this, &HPPM::setTurns, &HPPM::getTurns);
+    declareParam<std::string>("traced_from", this, &HPPM::setTracedFrom, &HPPM::getTracedFrom, "start,goal");
+    declareParam<std::string>("held", this, &HPPM::setHeld, &HPPM::getHeld);
+    declareParam<double>("held_share", this, &HPPM::setHeldShare, &HPPM::getHeldShare, "0.:0.01:0.99");
     declareParam<double>("radius", this, &HPPM::setRadius, &HPPM::getRadius, "0.0001:0.0001:1.");
     declareParam<std::string>("orientation", this, &HPPM::setOrientation, &HPPM::getOrientation,
                               "increasing,decreasing");
     declareParam<double>("lambda_min", this, &HPPM::setLambdaMin, &HPPM::getLambdaMin, "-10.:0.01:-0.001");
     declareParam<double>("lambda_max", this, &HPPM::setLambdaMax, &HPPM::getLambdaMax, "1.:0.01:10.");
-    declareParam<double>("max_step", this, &HPPM::setMaxStep, &HPPM::getMaxStep, "0.0001:0.0001:1.");
+    declareParam<double>("max_deviation", this, &HPPM::setMaxDeviation, &HPPM::getMaxDeviation, "0.1:0.1:1000.");
+}
+
+void HPPM::setSearch(const std::string &search)
+{
+    require(search == "restarts" || search == "paper", "search is restarts or paper, not \"" + search + "\"");
+    restarts_ = search == "restarts";
+}
+
+void HPPM::setTries(int tries)
+{
+    require(tries >= 1 && tries <= 1000000, "tries must lie between 1 and 1000000");
+    tries_ = tries;
+}
+
+void HPPM::setPoleRows(int rows)
+{
+    require(rows >= 1 && rows <= 4 && rows < joints(),
+            "pole_rows must lie between 1 and 4, and below the number of joints");
+    poleRows_ = rows;
+}
+
+void HPPM::setGoalCandidates(int count)
+{
+    require(count >= 1 && count <= 100, "goal_candidates must lie between 1 and 100");
+    goalCandidates_ = count;
 }
 
 void HPPM::setForm(const std::string &form)
 {
     require(form == "plane" || form == "full", "form is plane or full, not \"" + form + "\"");
-    form_ = form;
+    full_ = form == "full";
+}
+
+void HPPM::setPoles(const std::string &poles)
+{
+    require(poles == "points" || poles == "continuous", "poles are points or continuous, not \"" + poles + "\"");
+    given_.continuous = poles == "continuous";
 }
 
 void HPPM::setPointsPerLink(int points)
 {
     require(points >= 1 && points <= 200, "points_per_link must lie between 1 and 200");
-    pointsPerLink_ = points;
+    given_.pointsPerLink = points;
 }
 
-void HPPM::setRepulsion(const std::string &list)
+void HPPM::setRepulsion(const std::string &lists)
 {
-    const Eigen::VectorXd values = parseVector(list);
-    const auto obstacles = static_cast<Eigen::Index>(model_->obstacles.size());
-    require(values.size() == 1 || (values.size() > 0 && values.size() == obstacles),
+    const Eigen::MatrixXd values = parseMatrix(lists);
+    const auto obstacles = static_cast<Eigen::Index>(model_->obstacleCount());
+    const auto groups = static_cast<Eigen::Index>(model_->groups().size());
+    require(values.size() > 0 && (values.cols() == 1 || values.cols() == obstacles || values.cols() == groups),
             fmt::format("repulsion needs one number for all obstacles or one for each of the {}", obstacles));
-    repulsion_ = values;
+    given_.strengths = values;
 }
 
 std::string HPPM::getRepulsion() const
 {
-    return toText(repulsion_.transpose());
+    return toText(given_.strengths);
 }
 
 void HPPM::setRows(const std::string &rows)
 {
     const Eigen::MatrixXd values = parseMatrix(rows);
-    const auto n = static_cast<Eigen::Index>(model_->arm.dimension());
-    require(values.size() == 0 || (values.rows() == n && values.cols() == n),
-            fmt::format("rows needs {0} rows of {0} numbers, not {1} of {2}", n, values.rows(), values.cols()));
+    require(values.size() == 0 || (values.rows() == joints() && values.cols() == joints()),
+            fmt::format("rows needs {0} rows of {0} numbers, not {1} of {2}", joints(), values.rows(), values.cols()));
     rows_ = values;
-    direction_.resize(0);
+    given_.directions.resize(0, 0);
 }
 
 std::string HPPM::getRows() const
@@ -75,25 +130,67 @@ std::string HPPM::getRows() const
     return toText(rows_);
 }
 
-void HPPM::setDirection(const std::string &list)
+void HPPM::setDirection(const std::string &lists)
 {
-    const Eigen::VectorXd values = parseVector(list);
-    const auto n = static_cast<Eigen::Index>(model_->arm.dimension());
-    require(values.size() == 0 || values.size() == n,
-            fmt::format("direction needs {} numbers, not {}", n, values.size()));
-    require(values.size() == 0 || values.norm() > 0.0, "direction must not vanish");
-    direction_ = values;
+    const Eigen::MatrixXd values = parseMatrix(lists);
+    require(values.size() == 0 || values.cols() == joints(),
+            fmt::format("direction needs {} numbers, not {}", joints(), values.cols()));
+    require(values.size() == 0 || (values.rowwise().norm().array() > 0.0).all(), "direction must not vanish");
+    given_.directions = values.transpose();
 }
 
 std::string HPPM::getDirection() const
 {
-    return toText(direction_.transpose());
+    return toText(given_.directions.transpose());
 }
 
-void HPPM::setStrength(double strength)
+void HPPM::setStrength(const std::string &list)
 {
-    require(std::abs(strength) > 0.0 && std::abs(strength) <= 100.0, "strength must be neither 0 nor beyond +-100");
-    strength_ = strength;
+    const Eigen::VectorXd values = parseVector(list);
+    require(values.size() > 0, "strength needs a number");
+    require((values.array().abs() > 0.0).all() && (values.array().abs() <= 100.0).all(),
+            "strength must be neither 0 nor beyond +-100");
+    given_.couplings = values;
+}
+
+std::string HPPM::getStrength() const
+{
+    return toText(given_.couplings.transpose());
+}
+
+void HPPM::setTurns(const std::string &list)
+{
+    given_.turns = readPerJoint("turns", list, joints(), 100);
+}
+
+std::string HPPM::getTurns() const
+{
+    return toText(given_.turns.transpose().cast<double>());
+}
+
+void HPPM::setTracedFrom(const std::string &end)
+{
+    require(end == "start" || end == "goal", "traced_from is start or goal, not \"" + end + "\"");
+    given_.fromGoal = end == "goal";
+}
+
+void HPPM::setHeld(const std::string &list)
+{
+    const Eigen::VectorXi values = readPerJoint("held", list, joints(), 1);
+    given_.schedule.held.assign(values.data(), values.data() + values.size());
+}
+
+std::string HPPM::getHeld() const
+{
+    const std::vector<int> &held = given_.schedule.held;
+    const Eigen::Map<const Eigen::VectorXi> values(held.data(), static_cast<Eigen::Index>(held.size()));
+    return toText(values.transpose().cast<double>());
+}
+
+void HPPM::setHeldShare(double share)
+{
+    require(share >= 0.0 && share < 1.0, "held_share must lie from 0 to less than 1");
+    given_.schedule.share = share;
 }
 
 void HPPM::setRadius(double radius)
@@ -106,24 +203,36 @@ void HPPM::setOrientation(const std::string &orientation)
 {
     require(orientation == "increasing" || orientation == "decreasing",
             "orientation is increasing or decreasing, not \"" + orientation + "\"");
-    window_.decreasing = orientation == "decreasing";
+    given_.window.decreasing = orientation == "decreasing";
 }
 
 void HPPM::setLambdaMin(double lambda)
 {
     require(lambda >= -10.0 && lambda <= -0.001, "lambda_min must lie between -10 and -0.001");
-    window_.lambdaMin = lambda;
+    given_.window.lambdaMin = lambda;
 }
 
 void HPPM::setLambdaMax(double lambda)
 {
     require(lambda >= 1.0 && lambda <= 10.0, "lambda_max must lie between 1 and 10");
-    window_.lambdaMax = lambda;
+    given_.window.lambdaMax = lambda;
+}
+
+void HPPM::setMaxDeviation(double deviation)
+{
+    require(deviation >= 0.1 && deviation <= 1000.0, "max_deviation must lie between 0.1 and 1000");
+    given_.window.maxDeviation = deviation;
 }
 
 void HPPM::setMaxStep(double step)
 {
-    require(step >= 1e-4 && step <= 1.0, "max_step must lie between 0.0001 and 1");
-    plane_.maxStep = step;
+    require(step == 0.0 || (step >= 1e-4 && step <= 1.0), "max_step must be 0 or lie between 0.0001 and 1");
+    maxStep_ = step;
+}
+
+void HPPM::setMaxSteps(int steps)
+{
+    require(steps >= 0 && steps <= 1000000, "max_steps must lie between 0 and 1000000");
+    maxSteps_ = steps;
 }
 }  // namespace narrows

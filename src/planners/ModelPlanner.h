@@ -3,12 +3,10 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
 
 #include <ompl/base/Planner.h>
 
-#include "kernel/PlanarModel.h"
 #include "spaces/Ompl.h"
 
 namespace narrows
@@ -17,10 +15,7 @@ namespace narrows
 class ModelPlanner : public ob::Planner
 {
 public:
-    ModelPlanner(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> model, const std::string &name)
-      : ob::Planner(si, name), model_(std::move(model))
-    {
-    }
+    using ob::Planner::Planner;
 
     /// Why no exact solution has been found, in one word (wrong_root, turned_back, ...); empty if one has, or after
     /// clear().
@@ -30,8 +25,11 @@ public:
     /// ...).
     const std::map<std::string, double> &measures() const { return measures_; }
 
+    /// Parameters with which the planner does at once what has led to its solution or, without one, what it tried last;
+    /// empty if there is nothing to say.
+    virtual std::map<std::string, std::string> recipe() const { return {}; }
+
 protected:
-    std::shared_ptr<const PlanarModel> model_;
     std::string reason_;
     std::map<std::string, double> measures_;
 };

@@ -7,7 +7,6 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "kernel/ArmRepulsion.h"
 #include "planners/HPPM.h"
 #include "planners/NearNames.h"
 #include "planners/OmplPlanners.h"
@@ -33,15 +32,11 @@ PlannerEntry hppm()
 {
     PlannerEntry result;
     result.name = "hppm";
-    result.summary = "follows the curve of a homotopy whose poles are the obstacles (HPPM-PRA)";
+    result.summary = "follows curves of homotopies whose poles are the obstacles (HPPM-PRA)";
     result.usesModel = true;
     result.make = [](const PlannerContext &context)
     {
-        return std::make_shared<HPPM>(context.si, context.model);
-    };
-    result.unsupported = [](const PlannerContext &context)
-    {
-        return ArmRepulsion::supports(*context.model) ? "" : "the paper has no obstacle function for polygons";
+        return std::make_shared<HPPM>(context.si, context.repulsion());
     };
     return result;
 }
@@ -176,13 +171,19 @@ const PlannerEntry &findPlanner(const std::string &name)
                                 (near.empty() ? "there are " + join(names) : "did you mean " + join(near) + "?"));
 }
 
+std::string whyUnsupported(const std::string &name, const PlannerContext &context)
+{
+    const PlannerEntry &entry = findPlanner(name);
+    return entry.unsupported ? entry.unsupported(context) : std::string();
+}
+
 ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &context,
                            const std::map<std::string, std::string> &parameters)
 {
     const PlannerEntry &entry = findPlanner(name);
     if (context.si == nullptr)
         throw std::invalid_argument("a planner needs a space");
-    if (entry.usesModel && context.model == nullptr)
+    if (entry.usesModel && !context.repulsion)
         throw std::invalid_argument(name + " needs to know the robot and the obstacles");
     ob::PlannerPtr planner = entry.make(context);
     setParameters(*planner, name, parameters);

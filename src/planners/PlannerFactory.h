@@ -10,6 +10,7 @@
 #include <ompl/base/Planner.h>
 
 #include "kernel/PlanarModel.h"
+#include "kernel/Repulsion.h"
 #include "spaces/Ompl.h"
 
 namespace narrows
@@ -18,7 +19,10 @@ namespace narrows
 struct PlannerContext
 {
     ob::SpaceInformationPtr si;
-    std::shared_ptr<const PlanarModel> model;
+    /// Makes the poles of the robot and the obstacles, which takes time and memory that only those who ask for them
+    /// shall spend. Unset: nothing is known but `si`.
+    std::function<std::shared_ptr<const RepulsionModel>()> repulsion;
+    std::shared_ptr<const PlanarModel> planar;  ///< for planners of planar arms only; null for other robots
 };
 
 struct PlannerEntry
@@ -41,6 +45,10 @@ void registerPlanner(PlannerEntry entry);
 
 /// \throws std::invalid_argument if there is no such planner; the message lists near names.
 const PlannerEntry &findPlanner(const std::string &name);
+
+/// Why a planner cannot work in a space; empty if it can.
+/// \throws std::invalid_argument if there is no such planner.
+std::string whyUnsupported(const std::string &name, const PlannerContext &context);
 
 /// Why a parameter could not be set.
 class ParameterError : public std::invalid_argument

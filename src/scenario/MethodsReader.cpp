@@ -83,6 +83,8 @@ std::optional<std::string> hppmText(const Mapping::Entry &entry, const std::vect
         return fmt::format("{}", field.integer(1, mostPoints).value_or(1));
     if (entry.name == "orientation")
         return field.oneOf({"increasing", "decreasing"}).value_or("");
+    if (entry.name == "poles")
+        return field.oneOf({"points", "continuous"}).value_or("");
     if (entry.name == "form")
         return field.oneOf({"full", "plane"}).value_or("");
     const auto number = hppmNumbers.find(entry.name);
@@ -91,7 +93,7 @@ std::optional<std::string> hppmText(const Mapping::Entry &entry, const std::vect
 
 Parameters readHppm(const Field &field, const std::vector<std::string> &obstacles, int dimension)
 {
-    std::vector<std::string> known = {"repulsion", "rows", "direction", "points_per_link", "orientation", "form"};
+    std::vector<std::string> known = {"repulsion", "rows", "direction", "points_per_link", "orientation", "form", "poles"};
     for (const auto &number : hppmNumbers)
         known.push_back(number.first);
     const Mapping hppm(field);
@@ -102,6 +104,7 @@ Parameters readHppm(const Field &field, const std::vector<std::string> &obstacle
     for (const Mapping::Entry &entry : hppm.entries())
         if (const std::optional<std::string> text = hppmText(entry, obstacles, dimension))
             texts[entry.name] = *text;
+    texts.emplace("search", "paper");  // what is prescribed is one curve
     return texts;
 }
 

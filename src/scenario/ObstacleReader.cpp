@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <fmt/format.h>
 
+#include "scenario/ObstacleNames.h"
 #include "scenario/YamlMapping.h"
 
 namespace narrows
@@ -17,7 +17,6 @@ namespace
 {
 using CgalPolygon = CGAL::Polygon_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
 
-constexpr std::size_t mostObstacles = 10000;
 constexpr std::size_t mostVertices = 10000;
 /// Beyond this the powers in a superellipse leave the range of a double, and it is a box anyway.
 constexpr double largestExponent = 100.0;
@@ -136,35 +135,20 @@ std::optional<Shape> readShape(const Mapping &entry)
         return readBox(entry);
     return std::nullopt;
 }
-
-std::string readName(const Mapping &entry, std::size_t number)
-{
-    const Field field = entry.optional("name");
-    const std::string byPlace = fmt::format("obstacle {}", number);
-    const std::string name = field.given() ? field.text().value_or(byPlace) : byPlace;
-    if (printable(name) == name)
-        return name;
-    field.fault("must be at most 60 characters without control characters");
-    return byPlace;
-}
 }  // namespace
 
 ObstaclesDraft readObstacles(const Field &field)
 {
     ObstaclesDraft draft;
-    std::unordered_map<std::string, int> firstLine;
+    ObstacleNames names;
     for (const Field &item : field.items(0, mostObstacles))
     {
         const Mapping entry(item);
-        const std::string name = readName(entry, draft.names.size() + 1);
-        const auto [first, isNew] = firstLine.try_emplace(name, item.line());
-        if (!isNew)
-            (entry.has("name") ? entry.optional("name") : item)
-                .fault(fmt::format("the name '{}' is already that of the obstacle in line {}", name, first->second));
+        const std::string name = names.read(entry);
         if (const std::optional<Shape> shape = readShape(entry))
             draft.obstacles.push_back({name, *shape});
-        draft.names.push_back(name);
     }
+    draft.names = names.all();
     return draft;
 }
 }  // namespace narrows

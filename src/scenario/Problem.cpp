@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/Problem.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
 
+#include "kernel/PlanarRepulsionModel.h"
+#include "kernel/SpatialRepulsionModel.h"
 #include "spaces/TipGoalRegion.h"
 #include "validity/ArmValidityChecker.h"
 #include "validity/ContinuousMotionValidator.h"
@@ -15,28 +16,45 @@ namespace narrows
 {
 namespace
 {
-std::shared_ptr<PlanarArmStateSpace> makeSpace(const std::string &name, const Scenario &scenario)
+/// The convention that a space's name asks for; the scenario's own if it does not care.
+AngleConvention conventionOf(const std::string &space, AngleConvention own)
 {
-    using C = AngleConvention;
-    using J = FreeJoints;
-    const PlanarModel &model = *scenario.model;
-    const JointLimits &limits = scenario.task.limits;
-    if (name == "scenario")
-        return std::make_shared<PlanarArmStateSpace>(model.arm, scenario.convention, J::Wrapping, limits);
-    if (name == "absolute")
-        return std::make_shared<PlanarArmStateSpace>(model.arm, C::Absolute, J::Wrapping, limits);
-    if (name == "relative")
-        return std::make_shared<PlanarArmStateSpace>(model.arm, C::Relative, J::Wrapping, limits);
-    if (name == "absolute_line")
-        return std::make_shared<PlanarArmStateSpace>(model.arm, C::Absolute, J::Unbounded, limits);
-    if (name == "relative_line")
-        return std::make_shared<PlanarArmStateSpace>(model.arm, C::Relative, J::Unbounded, limits);
+    if (space == "scenario")
+        return own;
+    return space == "absolute" || space == "absolute_line" ? AngleConvention::Absolute : AngleConvention::Relative;
+}
+
+FreeJoints freeJointsOf(const std::string &space)
+{
+    return space == "absolute_line" || space == "relative_line" ? FreeJoints::Unbounded : FreeJoints::Wrapping;
+}
+
+void checkSpaceName(const std::string &space)
+{
+    for (const char *known : {"scenario", "absolute", "relative", "absolute_line", "relative_line"})
+        if (space == known)
+            return;
     throw std::invalid_argument(
-        "space \"" + name + "\" is unknown; there are scenario, absolute, relative, absolute_line and relative_line");
+        "space \"" + space + "\" is unknown; there are scenario, absolute, relative, absolute_line and relative_line");
+}
+
+std::shared_ptr<ArmStateSpace> makeSpace(const std::string &name, const PlanarWorld &world)
+{
+    return std::make_shared<PlanarArmStateSpace>(world.model->arm, conventionOf(name, world.convention),
+                                                 freeJointsOf(name), world.task.limits);
+}
+
+std::shared_ptr<ArmStateSpace> makeSpace(const std::string &name, const SpatialWorld &world)
+{
+    if (conventionOf(name, AngleConvention::Relative) == AngleConvention::Absolute)
+        throw std::invalid_argument("space \"" + name +
+                                    "\" is for planar robots: joints in space turn about axes that "
+                                    "move, so that there are no absolute angles");
+    return std::make_shared<SpatialArmStateSpace>(world.model->arm, freeJointsOf(name));
 }
 
 void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &motion,
-                        const std::shared_ptr<const PlanarChecker> &checker, const std::shared_ptr<CheckCounts> &counts)
+                        const std::shared_ptr<const ArmChecker> &checker, const std::shared_ptr<CheckCounts> &counts)
 {
     if (motion == "continuous")
     {
@@ -59,37 +77,71 @@ void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &mo
     si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
 }
 
-ob::GoalPtr makeGoal(const ob::SpaceInformationPtr &si, const PlanarTask &task)
+ob::GoalPtr makeTipGoal(const ob::SpaceInformationPtr &si, const TipGoal &tip)
 {
-    if (const auto *tip = std::get_if<TipGoal>(&task.goal))
-        return std::make_shared<TipGoalRegion>(si, *tip);
-    const auto *space = si->getStateSpace()->as<PlanarArmStateSpace>();
-    auto goal = std::make_shared<ob::GoalState>(si);
+    return std::make_shared<TipGoalRegion>(si, tip);
+}
+
+ob::GoalPtr makeTipGoal(const ob::SpaceInformationPtr &si, const SpatialTipGoal &tip)
+{
+    return std::make_shared<SpatialTipGoalRegion>(si, tip);
+}
+
+template <typename Task>
+ob::ProblemDefinitionPtr makeDefinition(const ob::SpaceInformationPtr &si, const Task &task)
+{
+    const auto *space = si->getStateSpace()->as<ArmStateSpace>();
+    auto pdef = std::make_shared<ob::ProblemDefinition>(si);
     ob::ScopedState<> state(si);
-    space->fromAbsolute(std::get<Eigen::VectorXd>(task.goal), state.get());
-    goal->setState(state);
-    return goal;
+    space->fromConfiguration(task.start, state.get());
+    pdef->addStartState(state);
+    if (const auto *configuration = std::get_if<Eigen::VectorXd>(&task.goal))
+    {
+        const auto goal = std::make_shared<ob::GoalState>(si);
+        space->fromConfiguration(*configuration, state.get());
+        goal->setState(state);
+        pdef->setGoal(goal);
+    }
+    else
+        pdef->setGoal(makeTipGoal(si, std::get<1>(task.goal)));
+    return pdef;
+}
+
+PlannerContext makeContext(const ob::SpaceInformationPtr &si, const PlanarWorld &world)
+{
+    const auto poles = [model = world.model, limits = world.task.limits]
+    {
+        return planarRepulsionModel(model, limits);
+    };
+    return {si, poles, world.model};
+}
+
+PlannerContext makeContext(const ob::SpaceInformationPtr &si, const SpatialWorld &world)
+{
+    const auto poles = [model = world.model]
+    {
+        return spatialRepulsionModel(model);
+    };
+    return {si, poles, nullptr};
 }
 }  // namespace
 
 Problem makeProblem(const Scenario &scenario, const ProblemOptions &options)
 {
+    checkSpaceName(options.space);
     Problem problem;
-    problem.model = scenario.model;
-    problem.space = makeSpace(options.space, scenario);
+    problem.space = std::visit([&](const auto &world) { return makeSpace(options.space, world); }, scenario.world);
     problem.counts = std::make_shared<CheckCounts>();
     problem.si = std::make_shared<ob::SpaceInformation>(problem.space);
 
-    const std::shared_ptr<const PlanarChecker> checker = makeChecker(options.checker, *scenario.model);
+    const std::shared_ptr<const ArmChecker> checker = makeArmChecker(options.checker, scenario.world);
     problem.si->setStateValidityChecker(std::make_shared<ArmValidityChecker>(problem.si, checker, problem.counts));
     setMotionValidator(problem.si, options.motion, checker, problem.counts);
     problem.si->setup();
 
-    problem.pdef = std::make_shared<ob::ProblemDefinition>(problem.si);
-    ob::ScopedState<> start(problem.si);
-    problem.space->fromAbsolute(scenario.task.start, start.get());
-    problem.pdef->addStartState(start);
-    problem.pdef->setGoal(makeGoal(problem.si, scenario.task));
+    problem.pdef =
+        std::visit([&](const auto &world) { return makeDefinition(problem.si, world.task); }, scenario.world);
+    problem.context = std::visit([&](const auto &world) { return makeContext(problem.si, world); }, scenario.world);
     return problem;
 }
 }  // namespace narrows

@@ -7,8 +7,9 @@
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 
+#include "planners/PlannerFactory.h"
 #include "scenario/Scenario.h"
-#include "spaces/PlanarArmStateSpace.h"
+#include "spaces/ArmStateSpace.h"
 #include "validity/CheckCounts.h"
 
 namespace narrows
@@ -19,16 +20,16 @@ struct ProblemOptions
     std::string checker = "analytic";   ///< analytic | fcl
     std::string motion = "continuous";  ///< continuous | OMPL's resolution as a number, e.g. "0.01"
     /// absolute | relative (joints without limits wrap) | absolute_line | relative_line (they do not) | scenario: the
-    /// convention in which the scenario file counts its angles, wrapping
+    /// convention in which the scenario file counts its angles, wrapping. Robots in space have no absolute angles
     std::string space = "scenario";
 };
 
 /// Everything of one run, built anew for it.
 struct Problem
 {
-    std::shared_ptr<const PlanarModel> model;
-    std::shared_ptr<PlanarArmStateSpace> space;
+    std::shared_ptr<ArmStateSpace> space;
     ob::SpaceInformationPtr si;  ///< set up
+    PlannerContext context;      ///< what planners are made from
     ob::ProblemDefinitionPtr pdef;
     std::shared_ptr<CheckCounts> counts;
 };

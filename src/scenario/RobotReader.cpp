@@ -66,15 +66,6 @@ Base readBase(const Mapping &robot, bool sliding)
     return {origin, std::nullopt};
 }
 
-double readRadius(const Field &field)
-{
-    const std::optional<double> radius = field.number();
-    if (!radius || *radius >= 0.0)
-        return radius.value_or(0.0);
-    field.fault(fmt::format("must not be negative, but is {}", *radius));
-    return 0.0;
-}
-
 /// One joint's own entry in a list of limits.
 std::optional<Interval> readLimit(const Field &field)
 {
@@ -114,34 +105,31 @@ AngleConvention readConvention(const Field &field)
     return word == "relative" ? AngleConvention::Relative : AngleConvention::Absolute;
 }
 
-/// Reports and returns false for robots whose other keys this version does not know.
-bool isSupported(const Field &kind)
-{
-    if (!kind.isWord("spatial_arm"))
-        return true;
-    kind.fault("spatial_arm is not supported by this version; it reads planar_arm and planar_chain");
-    return false;
-}
 }  // namespace
+
+double readRadius(const Field &field)
+{
+    const std::optional<double> radius = field.number();
+    if (!radius || *radius >= 0.0)
+        return radius.value_or(0.0);
+    field.fault(fmt::format("must not be negative, but is {}", *radius));
+    return 0.0;
+}
 
 RobotDraft readRobot(const Field &field)
 {
     RobotDraft draft;
     const std::size_t faultsBefore = field.faults().count();
     const Mapping robot(field);
-    const Field kind = robot.required("kind");
-    draft.supported = isSupported(kind);
-    if (!draft.supported)
-        return draft;
-
-    draft.hasSlide = kind.oneOf({"planar_arm", "planar_chain"}) == "planar_chain";
-    robot.allowOnly({"kind", "base", "links", "radius", "angles", "limits"});
+    draft.hasSlide = robot.required("kind").oneOf({"planar_arm", "planar_chain", "spatial_arm"}) == "planar_chain";
+    robot.allowOnly({"kind", "base", "links", "radius", "angles", "limits", "self_collision"});
     const Base base = readBase(robot, draft.hasSlide);
     const std::vector<PlanarLink> links = readLinks(robot.required("links"));
     const double radius = readRadius(robot.optional("radius"));
     draft.linkCount = static_cast<int>(links.size());
     draft.convention = readConvention(robot.optional("angles"));
     draft.limits = readLimits(robot.optional("limits"), draft.convention, links.size());
+    draft.selfCollision = robot.optional("self_collision").flag().value_or(false);
     if (field.given() && field.faults().count() == faultsBefore)
         draft.arm.emplace(base.origin, links, radius, base.slide);
     return draft;

@@ -6,12 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "scenario/GeneratedReader.h"
 #include "scenario/InputText.h"
-#include "scenario/MethodsReader.h"
-#include "scenario/ObstacleReader.h"
-#include "scenario/RobotReader.h"
-#include "scenario/TaskCheck.h"
-#include "scenario/TaskReader.h"
+#include "scenario/PlanarWorldReader.h"
+#include "scenario/SpatialRobotReader.h"
+#include "scenario/SpatialWorldReader.h"
 #include "scenario/YamlDocument.h"
 #include "scenario/YamlMapping.h"
 
@@ -40,29 +39,6 @@ std::string readName(const Field &field)
         field.fault(fmt::format("must be one word of at most {} letters, digits, '-', '_' and '.'", longest));
     return name;
 }
-
-/// The parts of a file that belong to the robot's world, and the checks that need several of them.
-void readWorld(const Mapping &root, const RobotDraft &robot, Scenario &scenario)
-{
-    if (root.has("generate"))
-    {
-        root.optional("generate")
-            .fault(
-                "families of scenarios are not supported by this version; give obstacles, "
-                "start and goal");
-        return;
-    }
-    const ObstaclesDraft obstacles = readObstacles(root.required("obstacles"));
-    const Field start = root.required("start");
-    const Field goal = root.required("goal");
-    const std::optional<PlanarTask> task = readTask(start, goal, robot);
-    scenario.methods = readMethods(root.optional("methods"), obstacles.names, robot.arm ? robot.arm->dimension() : 0);
-    if (!task || obstacles.obstacles.size() != obstacles.names.size())
-        return;
-    scenario.task = *task;
-    scenario.model = std::make_shared<const PlanarModel>(PlanarModel{*robot.arm, obstacles.obstacles});
-    checkTaskIsFree(start, goal, *scenario.model, *task);
-}
 }  // namespace
 
 std::string InputFault::text() const
@@ -77,28 +53,36 @@ InputError::InputError(std::vector<InputFault> faults) : std::runtime_error(join
 {
 }
 
-Scenario parseScenario(const std::string &text, const std::string &file)
+Scenario parseScenario(const std::string &text, const std::string &file, const GenerateSettings &settings)
 {
     checkInputText(text, file);
     FaultList faults(file);
     const Mapping root(Field(faults, parseYaml(text, file), ""));
-    root.allowOnly({"format", "name", "source", "robot", "obstacles", "start", "goal", "methods", "generate"});
+    root.allowOnly({"format", "name", "source", "robot", "obstacles", "start", "goal", "methods", "generate", "files"});
     root.required("format").oneOf({"narrows/scenario/1"});
     Scenario scenario;
     scenario.text = text;
     scenario.name = readName(root.required("name"));
     if (root.has("source"))
         scenario.source = root.optional("source").text().value_or("");
-    const RobotDraft robot = readRobot(root.required("robot"));
-    scenario.convention = robot.convention;
-    if (robot.supported)
-        readWorld(root, robot, scenario);
+    scenario.base = scenario.group = scenario.name;
+    const bool isSpatial = isSpatialRobot(root.optional("robot"));
+    if (root.has("files") && !isSpatial)
+        root.optional("files").fault("only robots of kind spatial_arm have obstacles from files");
+    if (root.has("generate"))
+        readGenerated(root, settings, scenario);
+    else if (!settings.empty())
+        root.required("generate");
+    else if (isSpatial)
+        readSpatialWorld(root, file, scenario);
+    else
+        readPlanarWorld(root, scenario);
     faults.throwIfAny();
     return scenario;
 }
 
-Scenario readScenario(const std::string &path)
+Scenario readScenario(const std::string &path, const GenerateSettings &settings)
 {
-    return parseScenario(readInputText(path), path);
+    return parseScenario(readInputText(path), path, settings);
 }
 }  // namespace narrows

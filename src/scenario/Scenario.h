@@ -5,9 +5,10 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "kernel/PlanarModel.h"
+#include "scenario/World.h"
 
 namespace narrows
 {
@@ -39,19 +40,35 @@ struct Scenario
 {
     std::string name;    ///< one word
     std::string source;  ///< where the problem comes from; may be empty
-    std::string text;    ///< the file as it was read
-    std::shared_ptr<const PlanarModel> model;
-    PlanarTask task;                                         ///< absolute angles, whatever the file uses
-    AngleConvention convention = AngleConvention::Absolute;  ///< how the file writes its angles
+    std::string text;    ///< the file as it was read; if it has `generate`, the file that this stands for
+    std::string base;    ///< the name its file gives, which all share that a sweep makes of one file
+    std::string group;   ///< the name but for the seed of a sweep: what tables put together
+    std::string family;  ///< that it was drawn from; empty if the file lists its obstacles
+    World world;
     /// methods.<planner>.<parameter> as parameter texts for `makePlanner`: what a paper prescribes for its own method.
     /// For hppm: `repulsion` comma-separated in the order of the obstacles, `rows` with "; " between rows and ", "
     /// within, `direction` comma-separated, everything else as written.
     std::map<std::string, std::map<std::string, std::string>> methods;
+
+    /// May it be meant by this word?
+    bool isCalled(const std::string &word) const { return word == name || word == group || word == base; }
+
+    bool isPlanar() const { return std::holds_alternative<PlanarWorld>(world); }
+    /// \throws std::bad_variant_access if the robot lives in space
+    const PlanarWorld &planar() const { return std::get<PlanarWorld>(world); }
+    PlanarWorld &planar() { return std::get<PlanarWorld>(world); }
+    /// \throws std::bad_variant_access if the robot lives in the plane
+    const SpatialWorld &spatial() const { return std::get<SpatialWorld>(world); }
+    SpatialWorld &spatial() { return std::get<SpatialWorld>(world); }
 };
 
-/// \throws InputError with all faults of the file, including a start or goal in collision or out of limits.
-Scenario readScenario(const std::string &path);
+/// Values for the parameters of a family, by name, that replace those of the file's `generate`.
+using GenerateSettings = std::vector<std::pair<std::string, std::string>>;
+
+/// \throws InputError with all faults of the file, including a start or goal in collision or out of limits, and settings
+/// that the file's family does not take.
+Scenario readScenario(const std::string &path, const GenerateSettings &settings = {});
 
 /// The same for text that is already in memory; `file` is what error messages call it.
-Scenario parseScenario(const std::string &text, const std::string &file);
+Scenario parseScenario(const std::string &text, const std::string &file, const GenerateSettings &settings = {});
 }  // namespace narrows

@@ -1,46 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/TaskCheck.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "kernel/SegmentDistance.h"
 #include "kernel/SuperellipseGeometry.h"
-#include "validity/PlanarChecker.h"
+#include "scenario/StateCheck.h"
 
 namespace narrows
 {
 namespace
 {
-std::vector<std::string> touchedBy(const PlanarModel &model, const Eigen::Vector2d &a, const Eigen::Vector2d &b)
-{
-    std::vector<std::string> names;
-    for (const PlanarObstacle &obstacle : model.obstacles)
-        if (!makeAnalyticChecker({model.arm, {obstacle}})->linkClears(a, b, 0.0))
-            names.push_back(obstacle.name);
-    return names;
-}
-
-void checkStateIsFree(const Field &field, const PlanarModel &model, const Eigen::VectorXd &q)
-{
-    constexpr std::size_t mostNamed = 10;  // one bad state among many obstacles should not fill the screen
-    const std::unique_ptr<PlanarChecker> checker = makeAnalyticChecker(model);
-    std::vector<Eigen::Vector2d> points;
-    model.arm.place(q, points);
-    std::vector<std::string> touches;
-    for (std::size_t i = 0; i < model.arm.links().size() && touches.size() < mostNamed; ++i)
-    {
-        const Eigen::Vector2d &a = points[static_cast<std::size_t>(model.arm.links()[i].parent + 1)];
-        const Eigen::Vector2d &b = points[i + 1];
-        if (!checker->linkClears(a, b, 0.0))
-            touches.push_back(fmt::format("link {} touches {}", i + 1, fmt::join(touchedBy(model, a, b), ", ")));
-    }
-    if (!touches.empty())
-        field.fault(fmt::format("in collision: {}", fmt::join(touches, "; ")));
-}
 /// Does a shape cover a whole disc?
 struct Covers
 {
@@ -84,10 +57,12 @@ void checkTipGoal(const Field &field, const PlanarModel &model, const TipGoal &g
 
 void checkTaskIsFree(const Field &start, const Field &goal, const PlanarModel &model, const PlanarTask &task)
 {
-    checkStateIsFree(start, model, task.start);
+    std::vector<int> numbers(model.arm.links().size());
+    std::iota(numbers.begin(), numbers.end(), 1);
+    checkStateIsFree(start, model, numbers, task.start);
     if (const auto *tip = std::get_if<TipGoal>(&task.goal))
         checkTipGoal(goal, model, *tip);
     else
-        checkStateIsFree(goal, model, std::get<Eigen::VectorXd>(task.goal));
+        checkStateIsFree(goal, model, numbers, std::get<Eigen::VectorXd>(task.goal));
 }
 }  // namespace narrows

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/TaskReader.h"
 
-#include <algorithm>
-
-#include <fmt/format.h>
-
 #include "scenario/StateReader.h"
+#include "scenario/TipReach.h"
 #include "scenario/YamlMapping.h"
 
 namespace narrows
@@ -21,44 +18,23 @@ std::optional<Eigen::VectorXd> readStart(const Field &field, const RobotDraft &r
     return readState(start, robot);
 }
 
-/// Distances from the base at which the tip of a chain can be.
-struct Reach
+Eigen::Vector3d inSpace(const Eigen::Vector2d &point)
 {
-    double nearest;
-    double farthest;
-};
-
-Reach reachOf(const PlanarArm &arm, int link)
-{
-    double total = 0.0;
-    double longest = 0.0;
-    for (int i = link; i >= 0; i = arm.links()[static_cast<std::size_t>(i)].parent)
-    {
-        const double length = arm.links()[static_cast<std::size_t>(i)].length;
-        total += length;
-        longest = std::max(longest, length);
-    }
-    return {std::max(0.0, 2.0 * longest - total), total};
+    return {point.x(), point.y(), 0.0};
 }
 
-/// Ignores obstacles and limits of the joints.
-void checkReach(const Field &field, const PlanarArm &arm, const TipGoal &goal)
+TipReach reachOf(const PlanarArm &arm, const TipGoal &goal)
 {
+    std::vector<double> lengths;
+    for (int i = goal.link; i >= 0; i = arm.links()[static_cast<std::size_t>(i)].parent)
+        lengths.push_back(arm.links()[static_cast<std::size_t>(i)].length);
     const Slide slide = arm.slide().value_or(Slide{Eigen::Vector2d::UnitX(), 0.0, 0.0});
-    const Eigen::Vector2d offset = goal.point - arm.base();
-    const double foot = std::clamp(offset.dot(slide.axis), slide.lower, slide.upper);
-    const double least = (offset - foot * slide.axis).norm();
-    const double most =
-        std::max((offset - slide.lower * slide.axis).norm(), (offset - slide.upper * slide.axis).norm());
-    const Reach reach = reachOf(arm, goal.link);
-    if (least - goal.tolerance > reach.farthest)
-        field.fault(fmt::format("out of reach: {:.6g} away from the base, but the chain to link {} is {:.6g} long",
-                                least, goal.link + 1, reach.farthest));
-    else if (most + goal.tolerance < reach.nearest)
-        field.fault(
-            fmt::format("out of reach: {:.6g} away from the base, but the tip of link {} cannot come nearer "
-                        "than {:.6g}",
-                        most, goal.link + 1, reach.nearest));
+    return {lengths,
+            inSpace(arm.base() + slide.lower * slide.axis),
+            inSpace(arm.base() + slide.upper * slide.axis),
+            inSpace(goal.point),
+            goal.tolerance,
+            goal.link + 1};
 }
 
 std::optional<TipGoal> readTipGoal(const Mapping &goal, const RobotDraft &robot)
@@ -73,7 +49,7 @@ std::optional<TipGoal> readTipGoal(const Mapping &goal, const RobotDraft &robot)
     if (!point || !tolerance || !link || !robot.arm)
         return std::nullopt;
     const TipGoal tip{*link - 1, *point, *tolerance};
-    checkReach(goal.optional("tip"), *robot.arm, tip);
+    checkReach(goal.optional("tip"), reachOf(*robot.arm, tip));
     return tip;
 }
 

@@ -129,16 +129,35 @@ std::optional<double> Field::angle() const
     return read(parseAngle, "an angle (radians, or as in '42.5 deg')");
 }
 
+std::optional<bool> Field::flag() const
+{
+    const std::optional<std::string> word = oneOf({"true", "false"});
+    return word ? std::optional(*word == "true") : std::nullopt;
+}
+
+template <int Dim>
+std::optional<Eigen::Matrix<double, Dim, 1>> Field::numbers() const
+{
+    const std::vector<Field> entries = items(Dim, Dim);
+    Eigen::Matrix<double, Dim, 1> values;
+    bool sound = !entries.empty();
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+        const std::optional<double> value = entries[i].number();
+        sound = sound && value;
+        values[static_cast<Eigen::Index>(i)] = value.value_or(0.0);
+    }
+    return sound ? std::optional(values) : std::nullopt;
+}
+
 std::optional<Eigen::Vector2d> Field::point() const
 {
-    const std::vector<Field> xy = items(2, 2);
-    if (xy.empty())
-        return std::nullopt;
-    const std::optional<double> x = xy[0].number();
-    const std::optional<double> y = xy[1].number();
-    if (!x || !y)
-        return std::nullopt;
-    return Eigen::Vector2d(*x, *y);
+    return numbers<2>();
+}
+
+std::optional<Eigen::Vector3d> Field::spatialPoint() const
+{
+    return numbers<3>();
 }
 
 std::optional<Interval> Field::ordered(std::optional<double> (Field::*reader)() const) const

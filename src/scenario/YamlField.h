@@ -52,7 +52,9 @@ public:
     std::optional<int> integer(int lowest, int highest) const;
     /// In radians; "42.5 deg" is converted.
     std::optional<double> angle() const;
+    std::optional<bool> flag() const;  ///< true or false
     std::optional<Eigen::Vector2d> point() const;
+    std::optional<Eigen::Vector3d> spatialPoint() const;
     /// [lower, upper] with lower < upper, of angles or of plain numbers.
     std::optional<Interval> angleInterval() const;
     std::optional<Interval> interval() const;
@@ -62,6 +64,8 @@ public:
 
 private:
     std::optional<double> read(std::optional<double> (*parse)(std::string_view), const char *what) const;
+    template <int Dim>
+    std::optional<Eigen::Matrix<double, Dim, 1>> numbers() const;
     std::optional<Interval> ordered(std::optional<double> (Field::*reader)() const) const;
 
     FaultList *faults_;

@@ -5,31 +5,31 @@
 
 namespace narrows
 {
-TipGoalRegion::TipGoalRegion(const ob::SpaceInformationPtr &si, const TipGoal &goal)
+template <typename Space, typename TipTarget>
+ArmTipGoalRegion<Space, TipTarget>::ArmTipGoalRegion(const ob::SpaceInformationPtr &si, const TipTarget &goal)
   : ob::GoalSampleableRegion(si),
-    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
+    space_(si->getStateSpace()->as<Space>()),
     goal_(goal),
     sampler_(si->allocStateSampler())
 {
     threshold_ = goal.tolerance;
 }
 
-double TipGoalRegion::distanceGoal(const ob::State *state) const
+template <typename Space, typename TipTarget>
+double ArmTipGoalRegion<Space, TipTarget>::distanceGoal(const ob::State *state) const
 {
-    Eigen::VectorXd q;
-    std::vector<Eigen::Vector2d> points;
-    space_->toAbsolute(state, q);
-    space_->arm().place(q, points);
-    return (points[goal_.link + 1] - goal_.point).norm();
+    return (space_->tip(state, goal_.link) - goal_.point).norm();
 }
 
-unsigned int TipGoalRegion::maxSampleCount() const
+template <typename Space, typename TipTarget>
+unsigned int ArmTipGoalRegion<Space, TipTarget>::maxSampleCount() const
 {
     // FMT, BIT* and the planners with informed samplers take all samples before they plan.
     return 100;
 }
 
-void TipGoalRegion::sampleGoal(ob::State *state) const
+template <typename Space, typename TipTarget>
+void ArmTipGoalRegion<Space, TipTarget>::sampleGoal(ob::State *state) const
 {
     for (int attempt = 0; attempt < 100; ++attempt)
     {
@@ -38,4 +38,7 @@ void TipGoalRegion::sampleGoal(ob::State *state) const
             return;
     }
 }
+
+template class ArmTipGoalRegion<PlanarArmStateSpace, TipGoal>;
+template class ArmTipGoalRegion<SpatialArmStateSpace, SpatialTipGoal>;
 }  // namespace narrows

@@ -3,17 +3,22 @@
 
 #include <ompl/base/goals/GoalSampleableRegion.h>
 
+#include "kernel/SpatialModel.h"
 #include "spaces/PlanarArmStateSpace.h"
+#include "spaces/SpatialArmStateSpace.h"
 
 namespace narrows
 {
 /// The states whose tip is within a tolerance of a point. Samples are random states pulled onto the point by damped
 /// least squares and brought within the joint limits; only free ones are given out.
-class TipGoalRegion : public ob::GoalSampleableRegion
+/// \tparam Space PlanarArmStateSpace or SpatialArmStateSpace
+/// \tparam TipTarget TipGoal or SpatialTipGoal
+template <typename Space, typename TipTarget>
+class ArmTipGoalRegion : public ob::GoalSampleableRegion
 {
 public:
-    /// \pre the state space of `si` is a PlanarArmStateSpace and `goal.link` one of its links.
-    TipGoalRegion(const ob::SpaceInformationPtr &si, const TipGoal &goal);
+    /// \pre the state space of `si` is a `Space` and `goal.link` one of its links.
+    ArmTipGoalRegion(const ob::SpaceInformationPtr &si, const TipTarget &goal);
 
     /// How far the tip is from the point.
     double distanceGoal(const ob::State *state) const override;
@@ -23,8 +28,11 @@ public:
     unsigned int maxSampleCount() const override;
 
 private:
-    const PlanarArmStateSpace *space_;
-    TipGoal goal_;
+    const Space *space_;
+    TipTarget goal_;
     ob::StateSamplerPtr sampler_;
 };
+
+using TipGoalRegion = ArmTipGoalRegion<PlanarArmStateSpace, TipGoal>;
+using SpatialTipGoalRegion = ArmTipGoalRegion<SpatialArmStateSpace, SpatialTipGoal>;
 }  // namespace narrows

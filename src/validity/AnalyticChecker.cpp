@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "kernel/SegmentDistance.h"
-#include "kernel/SuperellipseGeometry.h"
+#include "validity/PlanarCertificates.h"
 #include "validity/PlanarChecker.h"
 
 namespace narrows
@@ -13,89 +12,189 @@ namespace
 {
 using Eigen::Vector2d;
 
-class AnalyticChecker : public PlanarChecker
+/// An axis-parallel box, kept flat: most questions end here.
+struct Box
+{
+    double left, bottom, right, top;
+
+    bool meets(const Box &other) const
+    {
+        return left <= other.right && other.left <= right && bottom <= other.top && other.bottom <= top;
+    }
+};
+
+/// Around a segment and all within `room` of it.
+Box boxAround(const Vector2d &a, const Vector2d &b, double room)
+{
+    return {std::min(a.x(), b.x()) - room, std::min(a.y(), b.y()) - room, std::max(a.x(), b.x()) + room,
+            std::max(a.y(), b.y()) + room};
+}
+
+template <class Shape>
+struct Boxed
+{
+    Box box;
+    Shape shape;
+};
+
+struct Edge
+{
+    Vector2d from, to;
+};
+
+/// A polygon's edges, each in its own box.
+struct Edges
+{
+    Polygon polygon;  // for contains()
+    std::vector<Boxed<Edge>> edges;
+};
+
+/// What has been found of a link so far, over several obstacles.
+class Findings
 {
 public:
-    explicit AnalyticChecker(const PlanarModel &model) : radius_(model.arm.radius())
+    /// False as soon as nothing can change any more.
+    bool add(Finding finding)
     {
-        for (const PlanarObstacle &obstacle : model.obstacles)
+        worst_ = std::max(worst_, finding);
+        return worst_ != Finding::Touching;
+    }
+    Finding worst() const { return worst_; }
+
+private:
+    Finding worst_ = Finding::Clear;
+};
+
+class AnalyticChecker final : public PlanarChecker
+{
+public:
+    explicit AnalyticChecker(const std::vector<PlanarObstacle> &obstacles)
+    {
+        for (const PlanarObstacle &obstacle : obstacles)
             std::visit([&](const auto &shape) { add(shape, bounds(obstacle)); }, obstacle.shape);
     }
 
-    bool linkClears(const Vector2d &a, const Vector2d &b, double margin) const override
+    bool clears(const Link<2> &link) const override
     {
-        const double room = radius_ + margin;
-        const Box link{std::min(a.x(), b.x()) - room, std::min(a.y(), b.y()) - room, std::max(a.x(), b.x()) + room,
-                       std::max(a.y(), b.y()) + room};
-        for (std::size_t i = 0; i < circles_.size(); ++i)
-            if (link.meets(circleBoxes_[i]))
-            {
-                const double reach = circles_[i].radius + room;
-                if (squaredDistance(a, b, circles_[i].center) <= reach * reach)
-                    return false;
-            }
-        for (std::size_t i = 0; i < superellipses_.size(); ++i)
-            if (link.meets(superellipseBoxes_[i]) && !superellipses_[i].farther(a, b, room))
+        const auto &[a, b, radius] = link;
+        const Box box = boxAround(a, b, radius);
+        for (const auto &[outer, circle] : circles_)
+        {
+            const double contact = circle.radius + radius;
+            if (box.meets(outer) && squaredDistance(a, b, circle.center) <= contact * contact)
                 return false;
-        for (std::size_t i = 0; i < polygons_.size(); ++i)
-            if (link.meets(polygonBoxes_[i]) && !(distance(a, b, polygons_[i]) > room))
+        }
+        for (const auto &[outer, shape] : superellipses_)
+            if (box.meets(outer) && !shape.farther(a, b, radius))
+                return false;
+        for (const auto &[outer, shape] : polygons_)
+            if (box.meets(outer) && touches(link, box, shape))
                 return false;
         return true;
     }
 
-    double linkClearance(const Vector2d &a, const Vector2d &b) const override
+    double clearance(const Link<2> &link) const override
     {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Circle &circle : circles_)
-            nearest = std::min(nearest, std::sqrt(squaredDistance(a, b, circle.center)) - circle.radius);
-        for (const SuperellipseGeometry &shape : superellipses_)
-            nearest = std::min(nearest, shape.distance(a, b));
-        for (const Polygon &polygon : polygons_)
-            nearest = std::min(nearest, distance(a, b, polygon));
-        return nearest - radius_;
+        for (const auto &[box, circle] : circles_)
+            nearest = std::min(nearest, std::sqrt(squaredDistance(link.a, link.b, circle.center)) - circle.radius);
+        for (const auto &[box, shape] : superellipses_)
+            nearest = std::min(nearest, shape.distance(link.a, link.b));
+        for (const auto &[box, shape] : polygons_)
+            nearest = std::min(nearest, distance(link.a, link.b, shape.polygon));
+        return nearest - link.radius;
+    }
+
+    Finding examine(const LinkMotion<2> &link) const override
+    {
+        const double reach = link.reach();
+        const Box box = boxAround(link.a.position, link.b.position, link.radius + reach);
+        Findings findings;
+        for (const auto &[outer, circle] : circles_)
+            if (box.meets(outer) && !findings.add(narrows::examine(link, reach, circle)))
+                return Finding::Touching;
+        for (const auto &[outer, shape] : superellipses_)
+            if (box.meets(outer) && !findings.add(narrows::examine(link, reach, shape)))
+                return Finding::Touching;
+        for (const auto &[outer, shape] : polygons_)
+            if (box.meets(outer) && !findings.add(examine(link, reach, box, shape)))
+                return Finding::Touching;
+        return findings.worst();
+    }
+
+    bool clears(const Link<2> &link, const Link<2> &other) const override
+    {
+        return distance(link.a, link.b, other.a, other.b) > link.radius + other.radius;
+    }
+
+    double clearance(const Link<2> &link, const Link<2> &other) const override
+    {
+        return distance(link.a, link.b, other.a, other.b) - link.radius - other.radius;
+    }
+
+    Finding examine(const LinkMotion<2> &link, const LinkMotion<2> &other) const override
+    {
+        return narrows::examine(link, other, link.reach() + other.reach());
     }
 
 private:
-    struct Box
+    static Box flat(const Bounds &bounds)
     {
-        double left, bottom, right, top;
-        bool meets(const Box &other) const
-        {
-            return left <= other.right && other.left <= right && bottom <= other.top && other.bottom <= top;
-        }
-    };
-
-    void add(const Circle &circle, const Bounds &box)
-    {
-        circles_.push_back(circle);
-        circleBoxes_.push_back({box.lower.x(), box.lower.y(), box.upper.x(), box.upper.y()});
+        return {bounds.lower.x(), bounds.lower.y(), bounds.upper.x(), bounds.upper.y()};
     }
+
+    void add(const Circle &circle, const Bounds &box) { circles_.push_back({flat(box), circle}); }
 
     void add(const Superellipse &shape, const Bounds &box)
     {
-        superellipses_.emplace_back(shape);
-        superellipseBoxes_.push_back({box.lower.x(), box.lower.y(), box.upper.x(), box.upper.y()});
+        superellipses_.push_back({flat(box), SuperellipseGeometry(shape)});
     }
 
     void add(const Polygon &polygon, const Bounds &box)
     {
-        polygons_.push_back(polygon);
-        polygonBoxes_.push_back({box.lower.x(), box.lower.y(), box.upper.x(), box.upper.y()});
+        Edges edges{polygon, {}};
+        const std::vector<Vector2d> &v = polygon.vertices;
+        for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++)
+            edges.edges.push_back({boxAround(v[j], v[i], 0.0), {v[j], v[i]}});
+        polygons_.push_back({flat(box), std::move(edges)});
+    }
+
+    static bool touches(const Link<2> &link, const Box &box, const Edges &shape)
+    {
+        if (contains(shape.polygon, link.a))
+            return true;
+        return std::any_of(
+            shape.edges.begin(), shape.edges.end(),
+            [&](const Boxed<Edge> &edge)
+            { return box.meets(edge.box) && distance(link.a, link.b, edge.shape.from, edge.shape.to) <= link.radius; });
+    }
+
+    /// Outside now, and across no edge until the end of the stretch: outside until then.
+    static Finding examine(const LinkMotion<2> &link, double reach, const Box &box, const Edges &shape)
+    {
+        if (contains(shape.polygon, link.a.position))
+            return Finding::Touching;
+        Findings findings;
+        for (const auto &[outer, edge] : shape.edges)
+            if (box.meets(outer) && !findings.add(examine(link, reach, edge)))
+                break;
+        return findings.worst();
+    }
+
+    static Finding examine(const LinkMotion<2> &link, double reach, const Edge &edge)
+    {
+        return narrows::examine(link, {resting<2>(edge.from), resting<2>(edge.to), 0.0, 0.0, link.half}, reach);
     }
 
     // By kind, so that the loops stay tight: a state is checked in tens of nanoseconds.
-    double radius_;
-    std::vector<Circle> circles_;
-    std::vector<Box> circleBoxes_;
-    std::vector<SuperellipseGeometry> superellipses_;
-    std::vector<Box> superellipseBoxes_;
-    std::vector<Polygon> polygons_;
-    std::vector<Box> polygonBoxes_;
+    std::vector<Boxed<Circle>> circles_;
+    std::vector<Boxed<SuperellipseGeometry>> superellipses_;
+    std::vector<Boxed<Edges>> polygons_;
 };
 }  // namespace
 
 std::unique_ptr<PlanarChecker> makeAnalyticChecker(const PlanarModel &model)
 {
-    return std::make_unique<AnalyticChecker>(model);
+    return std::make_unique<AnalyticChecker>(model.obstacles);
 }
 }  // namespace narrows

@@ -5,25 +5,19 @@ namespace narrows
 {
 namespace
 {
-/// Forward kinematics of a state, into memory that is kept between calls.
-const std::vector<Eigen::Vector2d> &place(const PlanarArmStateSpace &space, const ob::State *state)
+/// The state as the kernel counts it, in memory that is kept between calls.
+const Eigen::VectorXd &configuration(const ArmStateSpace &space, const ob::State *state)
 {
-    struct Workspace
-    {
-        Eigen::VectorXd q;
-        std::vector<Eigen::Vector2d> points;
-    };
-    thread_local Workspace workspace;
-    space.toAbsolute(state, workspace.q);
-    space.arm().place(workspace.q, workspace.points);
-    return workspace.points;
+    thread_local Eigen::VectorXd q;
+    space.toConfiguration(state, q);
+    return q;
 }
 }  // namespace
 
-ArmValidityChecker::ArmValidityChecker(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarChecker> checker,
+ArmValidityChecker::ArmValidityChecker(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
                                        std::shared_ptr<CheckCounts> counts)
   : ob::StateValidityChecker(si),
-    space_(si->getStateSpace()->as<PlanarArmStateSpace>()),
+    space_(si->getStateSpace()->as<ArmStateSpace>()),
     checker_(std::move(checker)),
     counts_(std::move(counts))
 {
@@ -36,12 +30,12 @@ bool ArmValidityChecker::isValid(const ob::State *state) const
     if (!space_->satisfiesBounds(state))
         return false;
     counts_->placements.fetch_add(1, std::memory_order_relaxed);
-    return armClears(*checker_, space_->arm(), place(*space_, state));
+    return checker_->isFree(configuration(*space_, state));
 }
 
 double ArmValidityChecker::clearance(const ob::State *state) const
 {
     counts_->placements.fetch_add(1, std::memory_order_relaxed);
-    return armClearance(*checker_, space_->arm(), place(*space_, state));
+    return checker_->clearance(configuration(*space_, state));
 }
 }  // namespace narrows

@@ -5,28 +5,28 @@
 
 #include <ompl/base/StateValidityChecker.h>
 
-#include "spaces/PlanarArmStateSpace.h"
+#include "spaces/ArmStateSpace.h"
+#include "validity/ArmChecker.h"
 #include "validity/CheckCounts.h"
-#include "validity/PlanarChecker.h"
 
 namespace narrows
 {
-/// Says whether a state of a `PlanarArmStateSpace` is within its limits and free, by any `PlanarChecker`. Counts what
-/// it is asked. Safe to share between threads.
+/// Says whether a state of an `ArmStateSpace` is within its limits and free, by any `ArmChecker`. Counts what it is
+/// asked. Safe to share between threads.
 class ArmValidityChecker : public ob::StateValidityChecker
 {
 public:
-    ArmValidityChecker(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarChecker> checker,
+    ArmValidityChecker(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
                        std::shared_ptr<CheckCounts> counts);
 
     bool isValid(const ob::State *state) const override;
 
-    /// Distance from the arm to the nearest obstacle; negative or zero iff they touch.
+    /// Distance from the arm to the nearest thing it must not touch; negative or zero iff they touch.
     double clearance(const ob::State *state) const override;
 
 private:
-    const PlanarArmStateSpace *space_;
-    std::shared_ptr<const PlanarChecker> checker_;
+    const ArmStateSpace *space_;
+    std::shared_ptr<const ArmChecker> checker_;
     std::shared_ptr<CheckCounts> counts_;
 };
 }  // namespace narrows

@@ -5,22 +5,17 @@
 
 #include <ompl/base/MotionValidator.h>
 
-#include "spaces/PlanarArmStateSpace.h"
+#include "spaces/ArmStateSpace.h"
+#include "validity/ArmChecker.h"
 #include "validity/CheckCounts.h"
-#include "validity/PlanarChecker.h"
 
 namespace narrows
 {
-/// Decides motions exactly, without a step size: a stretch of a motion is free when, at its middle, every link is
-/// further from all obstacles than any of its points can travel to either end, by their speed there and a bound on
-/// their acceleration; otherwise the stretch is halved, widest first.
-///
-/// Motions that come closer than 1e-9 of the arm's reach to an obstacle are refused: they cannot be told from touching.
-/// Safe to share between threads.
+/// Decides motions exactly, without a step size, as `ArmChecker` does. Safe to share between threads.
 class ContinuousMotionValidator : public ob::MotionValidator
 {
 public:
-    ContinuousMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarChecker> checker,
+    ContinuousMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
                               std::shared_ptr<CheckCounts> counts);
 
     /// \pre `from` is valid, as OMPL has it.
@@ -32,13 +27,10 @@ public:
                      std::pair<ob::State *, double> &lastValid) const override;
 
 private:
-    class Motion;
-
     bool record(bool free) const;
 
-    const PlanarArmStateSpace *space_;
-    std::shared_ptr<const PlanarChecker> checker_;
+    const ArmStateSpace *space_;
+    std::shared_ptr<const ArmChecker> checker_;
     std::shared_ptr<CheckCounts> counts_;
-    double resolution_;  ///< no link is told free by less than this
 };
 }  // namespace narrows

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace narrows
+namespace narrows::proof
 {
 namespace
 {
@@ -31,7 +31,7 @@ bool isConvex(const Polygon &polygon)
     return true;
 }
 
-ConvexSet hull(std::vector<Vector2d> points)
+ConvexSet<2> hull(const Hull &points)
 {
     Vector2d center = Vector2d::Zero();
     for (const Vector2d &point : points)
@@ -39,26 +39,26 @@ ConvexSet hull(std::vector<Vector2d> points)
     double radius = 0.0;
     for (const Vector2d &point : points)
         radius = std::max(radius, (point - center).norm());
-    return {std::move(points), 0.0, center, radius};
+    return {points, 0.0, center, radius};
 }
 
 struct SetsOf
 {
-    std::vector<ConvexSet> operator()(const Circle &circle) const
+    std::vector<ConvexSet<2>> operator()(const Circle &circle) const
     {
-        return {{std::vector<Vector2d>{circle.center}, circle.radius, circle.center, 0.0}};
+        return {{Segment<2>{circle.center, circle.center}, circle.radius, circle.center, 0.0}};
     }
 
-    std::vector<ConvexSet> operator()(const Superellipse &shape) const
+    std::vector<ConvexSet<2>> operator()(const Superellipse &shape) const
     {
         return {{shape, 0.0, shape.center, shape.halfExtents.norm()}};
     }
 
-    std::vector<ConvexSet> operator()(const Polygon &polygon) const
+    std::vector<ConvexSet<2>> operator()(const Polygon &polygon) const
     {
         if (isConvex(polygon))
             return {hull(polygon.vertices)};
-        std::vector<ConvexSet> edges;
+        std::vector<ConvexSet<2>> edges;
         for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
             edges.push_back(hull({polygon.vertices[i], vertexAfter(polygon, i)}));
         return edges;
@@ -66,12 +66,16 @@ struct SetsOf
 };
 }  // namespace
 
-std::vector<ConvexSet> convexSets(const PlanarObstacle &obstacle)
+Parts<2> partsOf(const std::vector<PlanarObstacle> &obstacles, double /*extent*/)
 {
-    return std::visit(SetsOf{}, obstacle.shape);
+    Parts<2> parts;
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        for (ConvexSet<2> &set : std::visit(SetsOf{}, obstacles[i].shape))
+            parts.add(std::move(set), static_cast<int>(i));
+    return parts;
 }
 
-bool polygonEncloses(const PlanarObstacle &obstacle, const Vector2d &point)
+bool encloses(const PlanarObstacle &obstacle, const Vector2d &point)
 {
     const auto *polygon = std::get_if<Polygon>(&obstacle.shape);
     if (!polygon)
@@ -85,4 +89,4 @@ bool polygonEncloses(const PlanarObstacle &obstacle, const Vector2d &point)
     }
     return inside;
 }
-}  // namespace narrows
+}  // namespace narrows::proof

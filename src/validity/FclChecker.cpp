@@ -122,18 +122,35 @@ struct SolidsOf
     }
 };
 
+/// The pose of a capsule around the segment ab: FCL's capsules stand along z.
+fcl::Transform3d capsulePose(const Vector2d &a, const Vector2d &b)
+{
+    fcl::Transform3d pose = shifted(0.5 * (a + b));
+    const double length = (b - a).norm();
+    const Vector2d along = length > 0.0 ? Vector2d((b - a) / length) : Vector2d(1.0, 0.0);
+    pose.linear().col(0) << -along.y(), along.x(), 0.0;
+    pose.linear().col(1) << 0.0, 0.0, 1.0;
+    pose.linear().col(2) << along.x(), along.y(), 0.0;
+    return pose;
+}
+
+/// A link as something that another link may touch.
+Solid solidLink(const Link<2> &link)
+{
+    const Vector2d room = Vector2d::Constant(link.radius);
+    return {std::make_shared<fcl::Capsuled>(link.radius + resolution, (link.b - link.a).norm()),
+            capsulePose(link.a, link.b),
+            {link.a.cwiseMin(link.b) - room, link.a.cwiseMax(link.b) + room},
+            link.a};
+}
+
 /// A link as a capsule whose radius is still open.
-class Link
+class Capsule
 {
 public:
-    Link(const Vector2d &a, const Vector2d &b)
-      : a_(a), length_((b - a).norm()), lower_(a.cwiseMin(b)), upper_(a.cwiseMax(b)), pose_(shifted(0.5 * (a + b)))
+    Capsule(const Vector2d &a, const Vector2d &b)
+      : a_(a), length_((b - a).norm()), lower_(a.cwiseMin(b)), upper_(a.cwiseMax(b)), pose_(capsulePose(a, b))
     {
-        // FCL's capsules stand along z.
-        const Vector2d along = length_ > 0.0 ? Vector2d((b - a) / length_) : Vector2d(1.0, 0.0);
-        pose_.linear().col(0) << -along.y(), along.x(), 0.0;
-        pose_.linear().col(1) << 0.0, 0.0, 1.0;
-        pose_.linear().col(2) << along.x(), along.y(), 0.0;
     }
 
     /// No greater than the distance to the solid.
@@ -188,61 +205,103 @@ private:
 class FclChecker final : public PlanarChecker
 {
 public:
-    explicit FclChecker(const PlanarModel &model) : radius_(model.arm.radius())
+    explicit FclChecker(const std::vector<PlanarObstacle> &obstacles)
     {
-        for (const PlanarObstacle &obstacle : model.obstacles)
+        for (const PlanarObstacle &obstacle : obstacles)
             for (Solid &solid : std::visit(SolidsOf{}, obstacle.shape))
                 solids_.push_back(std::move(solid));
     }
 
-    bool linkClears(const Vector2d &a, const Vector2d &b, double margin) const override
+    bool clears(const Link<2> &link) const override
     {
-        const Link link(a, b);
-        const double needed = radius_ + margin;
+        const Capsule capsule(link.a, link.b);
         return std::all_of(solids_.begin(), solids_.end(),
                            [&](const Solid &solid)
-                           { return link.boxDistance(solid) > needed || link.clears(solid, needed); });
+                           { return capsule.boxDistance(solid) > link.radius || capsule.clears(solid, link.radius); });
     }
 
-    double linkClearance(const Vector2d &a, const Vector2d &b) const override
+    double clearance(const Link<2> &link) const override
     {
-        const Link link(a, b);
+        const Capsule capsule(link.a, link.b);
         constexpr double far = std::numeric_limits<double>::infinity();
         double least = far;
         for (const Solid &solid : solids_)
-            if (link.boxDistance(solid) - radius_ < least && !(least < far && link.clears(solid, radius_ + least)))
-                least = std::min(least, clearance(link, solid));
+            if (capsule.boxDistance(solid) - link.radius < least &&
+                !(least < far && capsule.clears(solid, link.radius + least)))
+                least = std::min(least, clearance(capsule, solid, link.radius));
         return least;
     }
 
+    Finding examine(const LinkMotion<2> &link) const override
+    {
+        const double reach = link.reach();
+        const Capsule capsule(link.a.position, link.b.position);
+        Finding worst = Finding::Clear;
+        for (const Solid &solid : solids_)
+        {
+            if (capsule.boxDistance(solid) > link.radius + reach)
+                continue;
+            worst = std::max(worst, examine(capsule, solid, link.radius, reach));
+            if (worst == Finding::Touching)
+                break;
+        }
+        return worst;
+    }
+
+    bool clears(const Link<2> &link, const Link<2> &other) const override
+    {
+        return Capsule(link.a, link.b).clears(solidLink(other), link.radius);
+    }
+
+    double clearance(const Link<2> &link, const Link<2> &other) const override
+    {
+        return clearance(Capsule(link.a, link.b), solidLink(other), link.radius);
+    }
+
+    Finding examine(const LinkMotion<2> &link, const LinkMotion<2> &other) const override
+    {
+        const Solid solid = solidLink({other.a.position, other.b.position, other.radius});
+        const double reach = link.reach() + other.reach();
+        const Capsule capsule(link.a.position, link.b.position);
+        if (capsule.boxDistance(solid) > link.radius + reach)
+            return Finding::Clear;
+        return examine(capsule, solid, link.radius, reach);
+    }
+
 private:
+    static Finding examine(const Capsule &capsule, const Solid &solid, double radius, double reach)
+    {
+        if (capsule.clears(solid, radius + reach))
+            return Finding::Clear;
+        return capsule.clears(solid, radius) ? Finding::Unsure : Finding::Touching;
+    }
+
     /// A distance that FCL claims is believed only if its yes-or-no query confirms it from both sides; else the latter
     /// finds it alone, by bisection.
-    double clearance(const Link &link, const Solid &solid) const
+    static double clearance(const Capsule &capsule, const Solid &solid, double radius)
     {
-        if (!link.clears(solid, radius_))
+        if (!capsule.clears(solid, radius))
             return 0.0;
-        double low = radius_, high = std::max(link.anchorDistance(solid), radius_ + resolution);
-        const double claimed = link.claimedDistance(solid);
-        if (claimed - 4.0 * resolution > low && link.clears(solid, claimed - 4.0 * resolution))
+        double low = radius, high = std::max(capsule.anchorDistance(solid), radius + resolution);
+        const double claimed = capsule.claimedDistance(solid);
+        if (claimed - 4.0 * resolution > low && capsule.clears(solid, claimed - 4.0 * resolution))
             low = claimed - 4.0 * resolution;
-        if (claimed + 4.0 * resolution < high && !link.clears(solid, claimed + 4.0 * resolution))
+        if (claimed + 4.0 * resolution < high && !capsule.clears(solid, claimed + 4.0 * resolution))
             high = claimed + 4.0 * resolution;
         while (high - low > 10.0 * resolution)
         {
             const double middle = 0.5 * (low + high);
-            (link.clears(solid, middle) ? low : high) = middle;
+            (capsule.clears(solid, middle) ? low : high) = middle;
         }
-        return std::max(low - radius_, 0.01 * resolution);
+        return std::max(low - radius, 0.01 * resolution);
     }
 
-    double radius_;
     std::vector<Solid> solids_;
 };
 }  // namespace
 
 std::unique_ptr<PlanarChecker> makeFclChecker(const PlanarModel &model)
 {
-    return std::make_unique<FclChecker>(model);
+    return std::make_unique<FclChecker>(model.obstacles);
 }
 }  // namespace narrows

@@ -4,34 +4,43 @@
 #include <algorithm>
 #include <utility>
 
-#include "validity/ConvexSets.h"
-
-namespace narrows
+namespace narrows::proof
 {
 namespace
 {
-using Eigen::Vector2d;
-
 constexpr double leastTravel = 1e-12;  // of the arm's reach: an interval that moves less is not halved
 constexpr double relativeGap = 1e-4;   // of the clearance: a wider gap would cost halvings, a narrower one steps
 constexpr std::size_t maxOpenPairs = 1'000'000;  // bounds time and memory on paths that can hardly be certified
+
+template <int Dim>
+Point<Dim> middleOf(const MovingSegment<Dim> &link)
+{
+    return 0.5 * (link.from.position + link.to.position);
+}
 }  // namespace
 
-PathProof::PathProof(const PlanarModel &model, const std::vector<Eigen::VectorXd> &path, double clearanceTolerance)
+template <class Model>
+PathProof<Model>::PathProof(const Model &model, const std::vector<Eigen::VectorXd> &path, double clearanceTolerance)
   : model_(model), path_(path), tolerance_(clearanceTolerance), motion_(model.arm)
 {
-    for (std::size_t i = 0; i < model_.obstacles.size(); ++i)
-        for (ConvexSet &set : convexSets(model_.obstacles[i]))
-        {
-            const double thickness = model_.arm.radius() + set.inflation;
-            pieces_.push_back({std::move(set), static_cast<int>(i), thickness});
-        }
-    estimateRounding();
+    double extent = motion_.extent(path);
+    parts_ = partsOf(model.obstacles, extent);
+    for (const Part<Dim> &part : parts_.all)
+        extent = std::max(extent, part.set.center.norm() + part.set.boundingRadius + part.set.inflation);
+    rounding_ = motion_.rounding(extent);
+    motion_.place(path.front(), path.front(), 0.0);
+    for (int link = 0; link < motion_.linkCount(); ++link)
+        halfLengths_.push_back((motion_.link(link).to.position - middleOf(motion_.link(link))).norm());
+    for (int second = 1; model.selfCollision && second < motion_.linkCount(); ++second)
+        for (int first = 0; first < second; ++first)
+            if (!motion_.areNeighbours(first, second))
+                linkPairs_.emplace_back(first, second);
 }
 
-Verdict PathProof::run()
+template <class Model>
+Verdict PathProof<Model>::run()
 {
-    if (checkBase() && visitWaypoints() && visitSegments())
+    if (checkEnclosure() && visitWaypoints() && visitSegments())
     {
         verdict_.accepted = true;
         verdict_.clearance = settled_;
@@ -39,67 +48,59 @@ Verdict PathProof::run()
     return verdict_;
 }
 
-/// Angles enter with their own rounding, which grows with the number of turns.
-void PathProof::estimateRounding()
+template <class Model>
+void PathProof<Model>::place(const Interval &interval)
 {
-    double largestValue = 1.0;
-    for (const Eigen::VectorXd &row : path_)
-        largestValue = std::max(largestValue, row.cwiseAbs().maxCoeff());
-    double extent = model_.arm.base().norm() + model_.arm.reach() * largestValue;
-    if (model_.arm.slide())
-        extent += largestValue;
-    for (const Piece &piece : pieces_)
-        extent = std::max(extent, piece.set.center.norm() + piece.set.boundingRadius + piece.set.inflation);
-    rounding_ = (32 + 4 * model_.arm.linkCount()) * std::numeric_limits<double>::epsilon() * extent;
-}
-
-void PathProof::place(const Interval &interval)
-{
+    ++verdict_.placements;
     const std::size_t from = static_cast<std::size_t>(interval.segment);
     motion_.place(path_[from], path_[std::min(from + 1, path_.size() - 1)], interval.center);
 }
 
-std::vector<PathProof::Pair> PathProof::allPairs() const
+template <class Model>
+std::vector<typename PathProof<Model>::Pair> PathProof<Model>::allPairs() const
 {
     std::vector<Pair> pairs;
-    pairs.reserve(pieces_.size() * static_cast<std::size_t>(model_.arm.linkCount()));
-    for (int link = 0; link < model_.arm.linkCount(); ++link)
-        for (std::size_t i = 0; i < pieces_.size(); ++i)
-        {
-            const Vector2d middle = 0.5 * (motion_.point(motion_.baseOf(link)) + motion_.point(motion_.tipOf(link)));
-            const Vector2d away = middle - pieces_[i].set.center;
-            pairs.push_back({link, static_cast<int>(i), away.norm() > 0.0 ? away.normalized() : Vector2d(1.0, 0.0)});
-        }
+    pairs.reserve(parts_.outermost.size() * static_cast<std::size_t>(motion_.linkCount()) + linkPairs_.size());
+    for (int link = 0; link < motion_.linkCount(); ++link)
+        for (const int part : parts_.outermost)
+            pairs.push_back({link, part, none});
+    for (const auto &[first, second] : linkPairs_)
+        pairs.push_back({second, none, first});
     return pairs;
 }
 
-/// The links hang together, so that an arm that meets no boundary is inside a polygon iff its base is.
-bool PathProof::checkBase()
+/// A link that meets no boundary stays inside or outside of a polygon or closed mesh, with all its points.
+template <class Model>
+bool PathProof<Model>::checkEnclosure()
 {
     const Interval start{0, 0.0, 0.0, {}};
     place(start);
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (polygonEncloses(model_.obstacles[pieces_[i].obstacle], motion_.point(0)))
-            return refuse("collision", start, {0, static_cast<int>(i), {}});
+    for (int link = 0; link < motion_.linkCount(); ++link)
+        for (const int part : parts_.outermost)
+            if (encloses(model_.obstacles[parts_.all[part].obstacle], motion_.link(link).from.position))
+                return refuse("collision", start, {link, part, none});
     return true;
 }
 
 /// Finds gross collisions and a first upper bound of the clearance, which spares most intervals their refinement.
-bool PathProof::visitWaypoints()
+template <class Model>
+bool PathProof<Model>::visitWaypoints()
 {
+    std::vector<Pair> touchedNearly;  // left to the segments
     for (std::size_t i = 0; i < path_.size(); ++i)
     {
         const bool isEnd = i > 0 && i + 1 == path_.size();
         const Interval waypoint{static_cast<int>(isEnd ? i - 1 : i), isEnd ? 1.0 : 0.0, 0.0, {}};
         place(waypoint);
         for (Pair &pair : allPairs())
-            if (examine(pair, 0.0) == Finding::Overlapping)
-                return refuse("collision", waypoint, pair);
+            if (!visit(waypoint, pair, touchedNearly))
+                return false;
     }
     return true;
 }
 
-bool PathProof::visitSegments()
+template <class Model>
+bool PathProof<Model>::visitSegments()
 {
     std::vector<Interval> level, halves;
     const std::size_t segments = std::max<std::size_t>(path_.size(), 2) - 1;  // a lone waypoint rests for one segment
@@ -127,24 +128,20 @@ bool PathProof::visitSegments()
 }
 
 /// Settles what can be settled of an interval at whose center the arm is, and halves the rest.
-bool PathProof::visit(Interval &interval, std::vector<Interval> &halves)
+template <class Model>
+bool PathProof<Model>::visit(Interval &interval, std::vector<Interval> &halves)
 {
     std::vector<Pair> open;
-    double travel = 0.0;
     for (Pair &pair : interval.open)
-    {
-        const Finding finding = examine(pair, interval.half);
-        if (finding == Finding::Overlapping)
-            return refuse("collision", interval, pair);
-        if (finding == Finding::Settled)
-            continue;
-        travel = std::max(travel, motion_.travel(motion_.tipOf(pair.link), interval.half));
-        open.push_back(pair);
-    }
+        if (!visit(interval, pair, open))
+            return false;
     if (open.empty())
         return true;
+    double furthest = 0.0;
+    for (const Pair &pair : open)
+        furthest = std::max(furthest, travel(pair, interval.half));
     openPairs_ += 2 * open.size();
-    if (travel <= leastTravel * model_.arm.reach() || openPairs_ > maxOpenPairs)
+    if (furthest <= leastTravel * model_.arm.reach() || openPairs_ > maxOpenPairs)
         return refuse("not_certified", interval, open.front());
     const double half = 0.5 * interval.half;
     halves.push_back({interval.segment, interval.center - half, half, open});
@@ -152,67 +149,201 @@ bool PathProof::visit(Interval &interval, std::vector<Interval> &halves)
     return true;
 }
 
-PathProof::Finding PathProof::examine(Pair &pair, double half)
+/// Settles a pair or adds it to `open`, in pieces if it is a box that gives way. False if something overlaps.
+template <class Model>
+bool PathProof<Model>::visit(const Interval &interval, Pair &pair, std::vector<Pair> &open)
 {
-    if (settles(roughClearance(pair, half)) || settles(clearanceAlong(pair, half)))
+    switch (examine(pair, interval.half))
+    {
+        case Finding::Settled:
+            return true;
+        case Finding::Open:
+            open.push_back(pair);
+            return true;
+        case Finding::Splitting:
+            return visitHalves(interval, pair, open);
+        default:
+            return refuse(pair.part == none ? "self_collision" : "collision", interval, pair);
+    }
+}
+
+/// Visits what a box is around, beginning with what is nearer: it spares the other most of the work.
+template <class Model>
+bool PathProof<Model>::visitHalves(const Interval &interval, const Pair &box, std::vector<Pair> &open)
+{
+    const Point<Dim> middle = middleOf(motion_.link(box.link));
+    int nearer = parts_.all[box.part].firstInBox, farther = parts_.all[box.part].secondInBox;
+    if ((parts_.all[farther].set.center - middle).squaredNorm() <
+        (parts_.all[nearer].set.center - middle).squaredNorm())
+        std::swap(nearer, farther);
+    Pair first{box.link, nearer, none}, second{box.link, farther, none};
+    return visit(interval, first, open) && visit(interval, second, open);
+}
+
+template <class Model>
+typename PathProof<Model>::Finding PathProof<Model>::examine(Pair &pair, double half)
+{
+    const Ball other = ballAround(pair);
+    const Point<Dim> away = middleOf(motion_.link(pair.link)) - other.center;
+    const double distance = away.norm();
+    if (settles(distance - halfLengths_[pair.link] - other.radius - thickness(pair) - travel(pair, half) - rounding_))
         return Finding::Settled;
-    const Piece &piece = pieces_[pair.piece];
+    if (pair.direction.isZero(0.0))
+        pair.direction = distance > 0.0 ? Point<Dim>(away / distance) : Point<Dim>(Point<Dim>::UnitX());
+    if (settlesAlong(pair, half))
+        return Finding::Settled;
+    const Separation<Dim> found = separation(pair, half);
+    pair.direction = found.direction;
+    const bool isBox = pair.part != none && parts_.all[pair.part].isBox();
+    if (!isBox)  // a box may be met without harm
+    {
+        const double clearance = found.upper - thickness(pair);
+        least_ = std::min(least_, clearance);
+        if (clearance <= 0.0)
+            return Finding::Overlapping;
+    }
+    if (settlesAlong(pair, half))
+        return Finding::Settled;
+    const double now = found.lower - thickness(pair) - rounding_;
+    if (isEnough(now - bendingWay(pair, half)) && settlesTurning(pair, half))
+        return Finding::Settled;
+    return isBox && parts_.all[pair.part].set.boundingRadius >= travel(pair, half) ? Finding::Splitting : Finding::Open;
+}
+
+template <class Model>
+Separation<PathProof<Model>::Dim> PathProof<Model>::separation(const Pair &pair, double half) const
+{
     SeparationGoal goal;
-    goal.thickness = piece.thickness;
-    goal.enough = least_ + piece.thickness + rounding_ + motion_.travel(motion_.tipOf(pair.link), half);
+    goal.thickness = thickness(pair);
+    goal.enough = least_ + goal.thickness + rounding_ + travel(pair, half);
     goal.relativeGap = relativeGap;
     goal.absoluteGap = 0.25 * tolerance_;
     goal.rounding = 0.25 * rounding_;
-    const Separation found = separate(piece.set, motion_.point(motion_.baseOf(pair.link)),
-                                      motion_.point(motion_.tipOf(pair.link)), pair.direction, goal);
-    const double clearance = found.upper - piece.thickness;
-    pair.direction = found.direction;
-    least_ = std::min(least_, clearance);
-    if (clearance <= 0.0)
-        return Finding::Overlapping;
-    return settles(clearanceAlong(pair, half)) ? Finding::Settled : Finding::Open;
+    const Segment<Dim> link = motion_.link(pair.link).now();
+    return pair.part == none ? separate<Dim>(motion_.link(pair.secondLink).now(), link, pair.direction, goal)
+                             : separate<Dim>(parts_.all[pair.part].set, link, pair.direction, goal);
 }
 
 /// Whether a lower bound of a pair's clearance makes further work on it idle: it is free, and cannot lower the path's
 /// clearance by more than the tolerance.
-bool PathProof::settles(double clearance)
+template <class Model>
+bool PathProof<Model>::isEnough(double clearance) const
 {
-    if (!(clearance > 0.0) || clearance < least_ - tolerance_)
+    return clearance > 0.0 && clearance >= least_ - tolerance_;
+}
+
+template <class Model>
+bool PathProof<Model>::settles(double clearance)
+{
+    if (!isEnough(clearance))
         return false;
     settled_ = std::min(settled_, clearance);
     return true;
 }
 
-/// Lower bound of the clearance during an interval, from bounding circles.
-double PathProof::roughClearance(const Pair &pair, double half) const
+/// Of both sides together, around the segments and cores.
+template <class Model>
+double PathProof<Model>::thickness(const Pair &pair) const
 {
-    const Piece &piece = pieces_[pair.piece];
-    const Vector2d &base = motion_.point(motion_.baseOf(pair.link));
-    const Vector2d &tip = motion_.point(motion_.tipOf(pair.link));
-    const double distance = (0.5 * (base + tip) - piece.set.center).norm() - 0.5 * (tip - base).norm();
-    return distance - piece.set.boundingRadius - piece.thickness - motion_.travel(motion_.tipOf(pair.link), half) -
-           rounding_;
+    return motion_.radius(pair.link) +
+           (pair.part == none ? motion_.radius(pair.secondLink) : parts_.all[pair.part].set.inflation);
 }
 
-/// Lower bound of the clearance during an interval, from the line that the pair was last separated by.
-double PathProof::clearanceAlong(const Pair &pair, double half) const
+/// How far the two sides can move against each other at most.
+template <class Model>
+double PathProof<Model>::travel(const Pair &pair, double half) const
 {
-    const Piece &piece = pieces_[pair.piece];
-    const Vector2d support = supportPoint(piece.set, pair.direction);
-    double separation = std::numeric_limits<double>::infinity();
-    for (const int end : {motion_.baseOf(pair.link), motion_.tipOf(pair.link)})
-        separation = std::min(separation, (motion_.point(end) - support).dot(pair.direction) -
-                                              motion_.travelAlong(end, pair.direction, half));
-    return separation - piece.thickness - rounding_;
+    const double second = pair.part == none ? motion_.link(pair.secondLink).to.travel : 0.0;
+    return (motion_.link(pair.link).to.travel + second) * half;
 }
 
-bool PathProof::refuse(const char *reason, const Interval &interval, const Pair &pair)
+/// What no turning line or plane can make up for: the way by acceleration.
+template <class Model>
+double PathProof<Model>::bendingWay(const Pair &pair, double half) const
+{
+    const double second = pair.part == none ? motion_.link(pair.secondLink).to.bend : 0.0;
+    return 0.5 * (motion_.link(pair.link).to.bend + second) * half * half;
+}
+
+/// What the link shall keep away from is in this ball, its inflation left out.
+template <class Model>
+typename PathProof<Model>::Ball PathProof<Model>::ballAround(const Pair &pair) const
+{
+    if (pair.part == none)
+        return {middleOf(motion_.link(pair.secondLink)), halfLengths_[pair.secondLink]};
+    const ConvexSet<Dim> &set = parts_.all[pair.part].set;
+    return {set.center, set.boundingRadius};
+}
+
+/// By the line or plane that the pair was last separated by, at rest.
+template <class Model>
+bool PathProof<Model>::settlesAlong(const Pair &pair, double half)
+{
+    double apart = 0.0;
+    if (pair.part == none)
+    {
+        const MovingPair<Dim> links = motion_.between(pair.secondLink, pair.link);
+        apart = keptApart<Dim>({pair.direction}, links.second, links.first, half);
+    }
+    else
+        apart = keptApart<Dim>({pair.direction}, motion_.link(pair.link), parts_.all[pair.part].set, half);
+    return settles(apart - thickness(pair) - rounding_);
+}
+
+/// By the same, turning with what it separates: far better where something glides along a link.
+template <class Model>
+bool PathProof<Model>::settlesTurning(const Pair &pair, double half)
+{
+    return pair.part == none ? settlesBetweenLinks(pair, half) : settlesBesidePart(pair, half);
+}
+
+template <class Model>
+bool PathProof<Model>::settlesBetweenLinks(const Pair &pair, double half)
+{
+    const MovingPair<Dim> links = motion_.between(pair.secondLink, pair.link);
+    const auto settlesBy = [&](const std::optional<TurningPlane<Dim>> &plane)
+    {
+        return plane && settles(keptApart<Dim>(*plane, links.second, links.first, half) - thickness(pair) - rounding_);
+    };
+    const TurningPlane<Dim> atRest{pair.direction};
+    const std::optional<TurningPlane<Dim>> withFirst = atRest.following(links.first);
+    if (settlesBy(withFirst) || settlesBy(atRest.following(links.second)))
+        return true;
+    if constexpr (Dim == 3)
+        return withFirst && settlesBy(followingBoth(*withFirst, links.first, links.second));
+    return false;
+}
+
+template <class Model>
+bool PathProof<Model>::settlesBesidePart(const Pair &pair, double half)
+{
+    const MovingSegment<Dim> &link = motion_.link(pair.link);
+    const ConvexSet<Dim> &set = parts_.all[pair.part].set;
+    const auto settlesBy = [&](const std::optional<TurningPlane<Dim>> &plane)
+    {
+        return plane && settles(keptApart<Dim>(*plane, link, set, half) - thickness(pair) - rounding_);
+    };
+    const std::optional<TurningPlane<Dim>> withLink = TurningPlane<Dim>{pair.direction}.following(link);
+    if (settlesBy(withLink))
+        return true;
+    if constexpr (Dim == 3)
+        return withLink && settlesBy(followingBoth(*withLink, link, edgeAt(*withLink, set, half)));
+    return false;
+}
+
+template <class Model>
+bool PathProof<Model>::refuse(const char *reason, const Interval &interval, const Pair &pair)
 {
     verdict_.reason = reason;
     verdict_.segment = interval.segment;
     verdict_.fraction = interval.center;
     verdict_.link = pair.link;
-    verdict_.obstacle = model_.obstacles[pieces_[pair.piece].obstacle].name;
+    verdict_.otherLink = pair.secondLink;
+    if (pair.part != none)
+        verdict_.obstacle = model_.obstacles[parts_.all[pair.part].obstacle].name;
     return false;
 }
-}  // namespace narrows
+
+template class PathProof<PlanarModel>;
+template class PathProof<SpatialModel>;
+}  // namespace narrows::proof

@@ -2,141 +2,83 @@
 #include "validity/SupportDistance.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
-namespace narrows
+#include "validity/Simplex.h"
+#include "validity/SupportPoints.h"
+
+namespace narrows::proof
 {
 namespace
 {
-using Eigen::Vector2d;
+constexpr int maxSteps = 100;    // a gap that shrinks fourfold is below rounding after about 25
+constexpr int maxIdleSteps = 4;  // in a row, without gain
 
-constexpr int maxSteps = 100;  // the fourfold shrinking gap is below rounding after about 25
-
-double cross(const Vector2d &a, const Vector2d &b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-Vector2d furthestOf(const std::vector<Vector2d> &points, const Vector2d &u)
-{
-    Vector2d furthest = points.front();
-    double value = furthest.dot(u);
-    for (std::size_t i = 1; i < points.size(); ++i)
-        if (const double other = points[i].dot(u); other > value)
-        {
-            value = other;
-            furthest = points[i];
-        }
-    return furthest;
-}
-
-/// Where the gradient of |x/a|^p + |y/b|^p is parallel to u. Scaled by the larger component first, so that high
-/// exponents neither overflow nor vanish.
-Vector2d furthestOf(const Superellipse &shape, const Vector2d &u)
-{
-    const Vector2d scaled = shape.halfExtents.cwiseProduct(u);
-    const Vector2d size = scaled.cwiseAbs();
-    const double root = 1.0 / (shape.exponent - 1.0);
-    const double ratio = std::pow(size.minCoeff() / size.maxCoeff(), root);
-    const double scale = std::pow(1.0 + std::pow(ratio, shape.exponent), -1.0 / shape.exponent);
-    const bool wide = size.x() >= size.y();
-    const Vector2d unit(std::copysign(wide ? scale : ratio * scale, scaled.x()),
-                        std::copysign(wide ? ratio * scale : scale, scaled.y()));
-    return shape.center + shape.halfExtents.cwiseProduct(unit);
-}
-
-/// One or two points of the set {segment point - core point}, and the point between them nearest to the origin.
-struct Simplex
-{
-    Vector2d first;
-    std::optional<Vector2d> second;
-    Vector2d nearest;
-
-    /// Unit vector from the origin to `nearest`. Across a segment it is the normal: near contact `nearest` is a
-    /// difference of almost equal numbers, the normal is not.
-    Vector2d direction() const
-    {
-        if (!second)
-            return nearest.normalized();
-        const Vector2d along = *second - first;
-        const Vector2d normal = Vector2d(-along.y(), along.x()).normalized();
-        return normal.dot(first) >= 0.0 ? normal : Vector2d(-normal);
-    }
-};
-
-Simplex nearestBetween(const Vector2d &a, const Vector2d &b)
-{
-    const Vector2d along = b - a;
-    const double squared = along.squaredNorm();
-    const double t = squared > 0.0 ? -a.dot(along) / squared : 0.0;
-    if (t <= 0.0)
-        return {a, std::nullopt, a};
-    if (t >= 1.0)
-        return {b, std::nullopt, b};
-    return {a, b, a + t * along};
-}
-
-bool originInTriangle(const Vector2d &a, const Vector2d &b, const Vector2d &c)
-{
-    const double ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
-    return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
-}
-
-/// The best simplex within the old one and a new point; nothing if they enclose the origin.
-std::optional<Simplex> extend(const Simplex &old, const Vector2d &added)
-{
-    const Simplex one = nearestBetween(old.first, added);
-    if (!old.second)
-        return one;
-    if (originInTriangle(old.first, *old.second, added))
-        return std::nullopt;
-    const Simplex other = nearestBetween(*old.second, added);
-    return one.nearest.squaredNorm() <= other.nearest.squaredNorm() ? one : other;
-}
-
-bool reached(const SeparationGoal &goal, const Separation &found)
+template <int Dim>
+bool reached(const SeparationGoal &goal, const Separation<Dim> &found)
 {
     const double gap = found.upper - found.lower;
     const double usefulGap = std::min(goal.absoluteGap, goal.relativeGap * (found.upper - goal.thickness));
     return found.upper <= goal.thickness || found.lower >= goal.enough || gap <= std::max(goal.rounding, usefulGap);
 }
-}  // namespace
 
-Vector2d supportPoint(const ConvexSet &set, const Vector2d &u)
+/// \tparam Core any shape that furthestOf() knows
+template <int Dim, class Core>
+Separation<Dim> raise(const Core &core, const Segment<Dim> &segment, const Point<Dim> &guess,
+                      const SeparationGoal &goal)
 {
-    return std::visit([&u](const auto &core) { return furthestOf(core, u); }, set.core);
-}
-
-double separationAlong(const ConvexSet &set, const Vector2d &a, const Vector2d &b, const Vector2d &u)
-{
-    const Vector2d point = supportPoint(set, u);
-    return std::min((a - point).dot(u), (b - point).dot(u));
-}
-
-Separation separate(const ConvexSet &set, const Vector2d &a, const Vector2d &b, const Vector2d &guess,
-                    const SeparationGoal &goal)
-{
-    Separation best{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), guess};
-    std::optional<Simplex> simplex;
-    Vector2d u = guess;
-    for (int step = 0; step < maxSteps; ++step)
+    Separation<Dim> best{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), guess};
+    std::optional<Simplex<Dim>> simplex;
+    Point<Dim> u = guess;
+    int idle = 0;
+    for (int step = 0; step < maxSteps && idle < maxIdleSteps; ++step)
     {
-        const Vector2d point = supportPoint(set, u);
-        const Vector2d fromA = a - point, fromB = b - point;
-        const Vector2d &extreme = fromA.dot(u) <= fromB.dot(u) ? fromA : fromB;
+        const Separation<Dim> before = best;
+        const Point<Dim> point = furthestOf(core, u);
+        const Point<Dim> fromA = segment.from - point, fromB = segment.to - point;
+        const Point<Dim> &extreme = fromA.dot(u) <= fromB.dot(u) ? fromA : fromB;
         if (extreme.dot(u) > best.lower)
         {
             best.lower = extreme.dot(u);
             best.direction = u;
         }
-        simplex = simplex ? extend(*simplex, extreme) : Simplex{extreme, std::nullopt, extreme};
-        best.upper = simplex ? std::min(best.upper, simplex->nearest.norm()) : 0.0;
+        const bool apart = !simplex || simplex->extend(extreme);
+        if (!simplex)
+            simplex.emplace(extreme);
+        best.upper = apart ? std::min(best.upper, simplex->nearest().norm()) : 0.0;
         if (reached(goal, best))
             break;
+        idle = best.lower == before.lower && best.upper == before.upper ? idle + 1 : 0;
         u = simplex->direction();
     }
     return best;
 }
-}  // namespace narrows
+}  // namespace
+
+template <int Dim>
+Point<Dim> supportPoint(const ConvexSet<Dim> &set, const Point<Dim> &u)
+{
+    return std::visit([&u](const auto &core) -> Point<Dim> { return furthestOf(core, u); }, set.core);
+}
+
+template <int Dim>
+Separation<Dim> separate(const ConvexSet<Dim> &set, const Segment<Dim> &segment, const Point<Dim> &guess,
+                         const SeparationGoal &goal)
+{
+    return std::visit([&](const auto &core) { return raise<Dim>(core, segment, guess, goal); }, set.core);
+}
+
+template <int Dim>
+Separation<Dim> separate(const Segment<Dim> &core, const Segment<Dim> &segment, const Point<Dim> &guess,
+                         const SeparationGoal &goal)
+{
+    return raise<Dim>(core, segment, guess, goal);
+}
+
+template Point<2> supportPoint(const ConvexSet<2> &, const Point<2> &);
+template Point<3> supportPoint(const ConvexSet<3> &, const Point<3> &);
+template Separation<2> separate(const ConvexSet<2> &, const Segment<2> &, const Point<2> &, const SeparationGoal &);
+template Separation<3> separate(const ConvexSet<3> &, const Segment<3> &, const Point<3> &, const SeparationGoal &);
+template Separation<2> separate(const Segment<2> &, const Segment<2> &, const Point<2> &, const SeparationGoal &);
+template Separation<3> separate(const Segment<3> &, const Segment<3> &, const Point<3> &, const SeparationGoal &);
+}  // namespace narrows::proof

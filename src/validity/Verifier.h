@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "kernel/PlanarModel.h"
+#include "kernel/SpatialModel.h"
 
 namespace narrows
 {
@@ -15,13 +17,16 @@ struct Verdict
 {
     bool accepted = false;
     std::string reason;     ///< empty if accepted, else one of: empty_path, dimension, not_finite, start, goal, limits,
-                            ///< collision, not_certified (closer to an obstacle than can be told apart from touching)
+                            ///< collision, self_collision, not_certified (closer than can be told apart from touching)
     int segment = -1;       ///< index of the waypoint where the offending segment begins; -1 if it is not about one
     double fraction = 0.0;  ///< where on that segment, in [0, 1]
     int link = -1;          ///< which link, -1 if it is not about one
+    int otherLink = -1;     ///< the link that it meets, -1 if it is not about two links
     std::string obstacle;   ///< which obstacle, empty if it is not about one
-    double clearance = 0.0;  ///< if accepted: the least distance of any link to any obstacle over the whole path, never
-                             ///< overstated and at most `clearanceTolerance` too small; +infinity without obstacles
+    double clearance = 0.0;  ///< if accepted: the least distance of any link to any obstacle, or to a link that it must
+                             ///< not touch, over the whole path: never overstated and at most `clearanceTolerance` too
+                             ///< small; +infinity if there is nothing to keep away from
+    std::size_t placements = 0;  ///< how many configurations of the arm were looked at: what the verdict cost
 };
 
 struct VerifierOptions
@@ -38,5 +43,11 @@ struct VerifierOptions
 /// line between the rows as they stand, so a row may differ from the previous one by more than pi only if the joint
 /// turns so far. Start and goal configurations are compared modulo 2 pi for joints without limits.
 Verdict verify(const PlanarModel &model, const PlanarTask &task, const std::vector<Eigen::VectorXd> &path,
+               const VerifierOptions &options = {});
+
+/// The same in space, with forward kinematics of its own. Limits are the arm's. The values of joints with a limit, also
+/// one that they share with another joint (`UniversalLimit`), are compared as they stand.
+/// \throws std::invalid_argument also if a mesh is said to be closed and is not.
+Verdict verify(const SpatialModel &model, const SpatialTask &task, const std::vector<Eigen::VectorXd> &path,
                const VerifierOptions &options = {});
 }  // namespace narrows

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// narrows generate: scenario files of a family.
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "benchmark/Commands.h"
+#include "benchmark/Text.h"
+#include "scenario/GeneratedReader.h"
+#include "scenario/families/Family.h"
+
+namespace narrows
+{
+namespace
+{
+struct GenerateOptions
+{
+    std::string family;
+    std::vector<std::string> parameters;
+    std::string name;
+    std::string output;
+    std::string witness;
+};
+
+std::string witnessJson(const CircleScene &scene)
+{
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Eigen::VectorXd &q : scene.witness)
+        rows.push_back(std::vector<double>(q.begin(), q.end()));
+    return nlohmann::json{{"angles", rows}}.dump() + "\n";
+}
+
+int generate(const GenerateOptions &options)
+{
+    const GenerateSettings settings = assignments("--param", options.parameters);
+    const Family &family = findFamily(options.family);
+    const FamilyValues values = family.values({settings.begin(), settings.end()});
+    const CircleScene scene = family.draw(values);
+    const std::string name = options.name.empty() ? nameWith(family.name, settings) : options.name;
+    const std::string text = toYaml(scene, name, family.describe(values));
+    parseScenario(text, "--name");  // which is all that can be wrong with it
+    if (!options.witness.empty() && scene.witness.empty())
+        throw std::invalid_argument("--witness: no witness is known for the family " + family.name);
+
+    if (options.output.empty())
+        std::cout << text;
+    else
+        writeFile(options.output, text);
+    if (!options.witness.empty())
+        writeFile(options.witness, witnessJson(scene));
+    return ExitDone;
+}
+}  // namespace
+
+void addGenerateCommand(CLI::App &program, int &exitCode)
+{
+    const auto options = std::make_shared<GenerateOptions>();
+    CLI::App *command = program.add_subcommand("generate", "Write a scenario file of a family");
+    command->add_option("family", options->family, "see `narrows list families`")->required();
+    command->add_option("--param", options->parameters, "name=value, may be repeated; see `narrows show family`")
+        ->allow_extra_args(false);
+    command->add_option("--name", options->name, "of the scenario; default: the family and the parameters given");
+    command->add_option("-o,--output", options->output, "file to write; default: stdout");
+    command->add_option("--witness", options->witness, "also write a free path, for `narrows verify`, if one is known");
+    command->callback([options, &exitCode] { exitCode = generate(*options); });
+}
+}  // namespace narrows

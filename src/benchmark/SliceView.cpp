@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/SliceView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+#include <ompl/base/goals/GoalState.h>
+
+#include "benchmark/Drawing.h"
+#include "kernel/SliceOracle.h"
+#include "planners/HPPM.h"
+
+namespace narrows
+{
+namespace
+{
+using Json = nlohmann::json;
+
+constexpr int pictureColumns = 240;  // along lambda
+constexpr int pictureRows = 200;     // along s
+
+/// Everything of one view, made for it.
+struct Look
+{
+    Problem problem;
+    std::shared_ptr<const RepulsionModel> model;
+    std::shared_ptr<HPPM> planner;
+};
+
+Look lookAt(const Scenario &scenario, const ProblemOptions &options, const std::map<std::string, std::string> &recipe)
+{
+    Look look;
+    look.problem = makeProblem(scenario, options);
+    look.model = look.problem.context.repulsion();
+    look.planner = std::dynamic_pointer_cast<HPPM>(makePlanner("hppm", look.problem.context, recipe));
+    if (!look.problem.pdef->getGoal()->hasType(ob::GOAL_STATE))
+        throw std::invalid_argument("a slice is drawn between two configurations, but the scenario's goal is none");
+    return look;
+}
+
+SliceHomotopy sliceOf(const Look &look)
+{
+    const ob::State *goal = look.problem.pdef->getGoal()->as<ob::GoalState>()->getState();
+    return look.planner->slice(look.problem.pdef->getStartState(0), goal);
+}
+
+/// (lambda, s) of a point of the slice.
+Json place(const SliceHomotopy &slice, const Eigen::VectorXd &z)
+{
+    return {z[1] / slice.lambdaScale(), z[0]};
+}
+
+/// What the curve needs, and a margin.
+SliceWindow windowOf(const SliceHomotopy &slice, const Trace &trace)
+{
+    SliceWindow window;
+    double deviation = 1.0;
+    for (const TraceStep &step : trace.log)
+    {
+        window.lambdaMin = std::min(window.lambdaMin, step.z[1] / slice.lambdaScale() - 0.1);
+        window.lambdaMax = std::max(window.lambdaMax, step.z[1] / slice.lambdaScale() + 0.1);
+        deviation = std::max(deviation, std::abs(step.z[0]));
+    }
+    // A rejected step may lead anywhere.
+    window.lambdaMin = std::max(window.lambdaMin, -2.0);
+    window.lambdaMax = std::min(window.lambdaMax, 3.0);
+    window.deviation = std::min(1.3 * deviation, 12.0);
+    return window;
+}
+
+/// Where the obstacle's function, at strength 1, is not positive: rows of '#' and '.', from the lowest s up.
+Json shadow(const SliceHomotopy &slice, const Repulsion &obstacle, const SliceWindow &window)
+{
+    Json rows = Json::array();
+    Repulsion::Sample sample;
+    Eigen::VectorXd q;
+    for (int i = 0; i < pictureRows; ++i)
+    {
+        std::string row;
+        const double s = window.deviation * (2.0 * i / (pictureRows - 1) - 1.0);
+        for (int j = 0; j < pictureColumns; ++j)
+        {
+            const double lambda = window.lambdaMin + (window.lambdaMax - window.lambdaMin) * j / (pictureColumns - 1);
+            slice.configuration(Eigen::Vector2d(s, lambda * slice.lambdaScale()), q);
+            obstacle.evaluate(q, sample);
+            const bool meets = std::any_of(sample.poles.begin(), sample.poles.end(), [](double c) { return !(c > 0.0); });
+            row += meets ? '#' : '.';
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Json shadows(const Look &look, const SliceHomotopy &slice, const SliceWindow &window)
+{
+    Json all = Json::array();
+    const std::vector<std::string> &groups = look.model->groups();
+    for (std::size_t i = 0; i < groups.size(); ++i)
+    {
+        std::vector<double> strengths(groups.size(), 0.0);
+        strengths[i] = 1.0;
+        all.push_back({{"name", groups[i]}, {"rows", shadow(slice, *look.model->continuous(strengths), window)}});
+    }
+    return all;
+}
+
+SliceAnswer explore(const Look &look, const SliceHomotopy &slice, const SliceWindow &window)
+{
+    const ob::SpaceInformationPtr &si = look.problem.si;
+    ob::ScopedState<> from(si), to(si);
+    const auto clearance = [&](const Eigen::VectorXd &q)
+    {
+        look.problem.space->fromConfiguration(q, from.get());
+        return si->satisfiesBounds(from.get()) ? si->getStateValidityChecker()->clearance(from.get())
+                                               : -std::numeric_limits<double>::infinity();
+    };
+    const auto isFree = [&](const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+    {
+        look.problem.space->fromConfiguration(a, from.get());
+        look.problem.space->fromConfiguration(b, to.get());
+        return si->checkMotion(from.get(), to.get());
+    };
+    return exploreSlice(slice, clearance, isFree, window);
+}
+}  // namespace
+
+SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
+                    const std::map<std::string, std::string> &recipe)
+{
+    const Look look = lookAt(scenario, options, recipe);
+    const SliceHomotopy slice = sliceOf(look);
+    TrackerOptions tracking = look.planner->trackerOptions();
+    tracking.log = true;
+    const Trace trace = track(slice, tracking);
+    const SliceWindow window = windowOf(slice, trace);
+    const SliceAnswer answer = explore(look, slice, window);
+
+    SliceView view;
+    view.joins = answer.joins;
+    view.bottleneck = answer.bottleneck;
+    view.status = toString(trace.status);
+    Json json{{"scenario", scenario.name},   {"status", view.status},
+              {"joins", view.joins},         {"bottleneck", view.bottleneck},
+              {"failure", view.failure()},   {"spacing", answer.spacing},
+              {"lambda", {window.lambdaMin, window.lambdaMax}}, {"deviation", window.deviation},
+              {"traced_from", look.planner->getTracedFrom()}};
+    json["obstacles"] = shadows(look, slice, window);
+    json["curve"] = Json::array({place(slice, slice.startPoint())});
+    json["rejected"] = Json::array();
+    for (const TraceStep &step : trace.log)
+        json[step.accepted ? "curve" : "rejected"].push_back(place(slice, step.z));
+    json["path"] = Json::array();
+    for (const Eigen::VectorXd &z : answer.path)
+        json["path"].push_back(place(slice, z));
+    view.json = json.dump();
+    return view;
+}
+
+void drawSlice(const SliceView &view, const std::string &outputFile)
+{
+    drawData("draw_slice.py", view.json, outputFile);
+}
+}  // namespace narrows

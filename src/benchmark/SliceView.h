@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "scenario/Problem.h"
+
+namespace narrows
+{
+/// What there is to see in the slice of joint space in which HPPM followed a curve.
+struct SliceView
+{
+    bool joins = false;       ///< does the slice's free part join start and goal (SliceOracle)?
+    double bottleneck = 0.0;  ///< greatest clearance that a way in the slice can keep; 0 without a way
+    std::string status;       ///< how the curve ended (TraceStatus)
+    std::string json;         ///< all of it, for analysis/draw_slice.py
+
+    /// Whose failure it is that the curve did not reach the goal: "slice", "curve", or nothing if it did.
+    std::string failure() const { return status == "reached_goal" ? "" : joins ? "curve" : "slice"; }
+};
+
+/// \param recipe parameters of hppm with search = paper: Record::recipe
+/// \throws std::invalid_argument if the scenario's goal is no configuration, or the recipe is not one of a slice
+SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
+                    const std::map<std::string, std::string> &recipe);
+
+/// Draws it.
+/// \throws std::runtime_error as drawRecord
+void drawSlice(const SliceView &view, const std::string &outputFile);
+}  // namespace narrows

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/SweepSection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "benchmark/Text.h"
+
+namespace narrows
+{
+namespace
+{
+constexpr double mostInstances = 100000;  // of one file; more is a slip of the pen
+
+double wholeNumber(const std::string &text, const std::string &range)
+{
+    const std::optional<double> value = toNumber(text);
+    if (!value || std::abs(*value) > 1e9 || *value != std::floor(*value))
+        throw std::invalid_argument("'" + range + "' is not a range of whole numbers like 1..20");
+    return *value;
+}
+
+/// "3..5" as 3, 4, 5.
+std::vector<std::string> unfolded(const std::string &range, std::size_t dots)
+{
+    const double first = wholeNumber(trimmed(range.substr(0, dots)), range);
+    const double last = wholeNumber(trimmed(range.substr(dots + 2)), range);
+    if (last < first || last - first >= mostInstances)
+        throw std::invalid_argument("'" + range + "' is an empty or too large range");
+    std::vector<std::string> values;
+    for (auto value = static_cast<long>(first); value <= static_cast<long>(last); ++value)
+        values.push_back(std::to_string(value));
+    return values;
+}
+
+/// \throws std::invalid_argument telling what is wrong
+std::vector<std::string> readValues(const std::string &text)
+{
+    std::vector<std::string> values;
+    for (const std::string &part : split(text, ','))
+    {
+        if (part.empty())
+            throw std::invalid_argument("expected a list separated by commas");
+        const std::size_t dots = part.find("..");
+        const std::vector<std::string> more =
+            dots == std::string::npos ? std::vector<std::string>{part} : unfolded(part, dots);
+        values.insert(values.end(), more.begin(), more.end());
+    }
+    if (values.empty())
+        throw std::invalid_argument("expected a list separated by commas");
+    std::vector<std::string> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twin != sorted.end())
+        throw std::invalid_argument("names '" + *twin + "' twice");
+    return values;
+}
+}  // namespace
+
+std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, const std::string &file,
+                                        std::vector<InputFault> &faults)
+{
+    const std::string prefix = "generate.";
+    std::vector<SweepAxis> axes;
+    double instances = 1.0;
+    for (const IniEntry &entry : entries)
+        try
+        {
+            if (entry.key.rfind(prefix, 0) != 0 || entry.key.size() == prefix.size())
+                throw std::invalid_argument("unknown key; this section has generate.<parameter of the family>");
+            const SweepAxis axis{entry.key.substr(prefix.size()), readValues(entry.value), entry.line};
+            for (const SweepAxis &other : axes)
+                if (other.parameter == axis.parameter)
+                    throw std::invalid_argument("already given in line " + std::to_string(other.line));
+            instances *= static_cast<double>(axis.values.size());
+            if (instances > mostInstances)
+                throw std::invalid_argument("makes more than 100000 instances");
+            axes.push_back(axis);
+        }
+        catch (const std::invalid_argument &error)
+        {
+            faults.push_back({file, entry.line, "sweep." + entry.key, error.what()});
+        }
+    return axes;
+}
+
+std::vector<GenerateSettings> combinations(const std::vector<SweepAxis> &axes)
+{
+    std::vector<GenerateSettings> all{{}};
+    for (const SweepAxis &axis : axes)
+    {
+        std::vector<GenerateSettings> longer;
+        for (const GenerateSettings &settings : all)
+            for (const std::string &value : axis.values)
+            {
+                longer.push_back(settings);
+                longer.back().emplace_back(axis.parameter, value);
+            }
+        all = std::move(longer);
+    }
+    return all;
+}
+}  // namespace narrows

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kernel/PolygonObstacle.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernel/ConvexParts.h"
+#include "kernel/LinkPair.h"
+#include "kernel/SegmentDistance.h"
+
+namespace narrows
+{
+using Eigen::Vector2d;
+
+namespace
+{
+std::vector<Segment> edgesOf(const Polygon &polygon)
+{
+    std::vector<Segment> edges;
+    const std::vector<Vector2d> &corners = polygon.vertices;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        edges.push_back(Segment::between(corners[i], corners[(i + 1) % corners.size()]));
+    return edges;
+}
+
+double areaOf(const std::vector<Segment> &edges)
+{
+    double twice = 0.0;
+    for (const Segment &edge : edges)
+        twice += edge.base.x() * edge.along.y() - edge.base.y() * edge.along.x();
+    return 0.5 * std::abs(twice);
+}
+
+/// Calls visit(way from the polygon to the link's point, where that is on the link) for every corner against the link
+/// and both ends of the link against every edge: where they do not meet, one of these ways is the shortest.
+template <class Visit>
+void visitWays(const Segment &link, const std::vector<Segment> &edges, Visit &&visit)
+{
+    const Vector2d tip = link.tip();
+    for (const Segment &edge : edges)
+    {
+        const double fraction = link.nearest(edge.base);
+        visit(link.at(fraction) - edge.base, fraction);
+        visit(link.base - edge.at(edge.nearest(link.base)), 0.0);
+        visit(tip - edge.at(edge.nearest(tip)), 1.0);
+    }
+}
+
+/// The greatest separation of the link and a convex polygon along the normals of either; negative if they overlap, and
+/// then the least shift that parts them.
+LinkTerm separation(const Segment &link, const std::vector<Segment> &edges)
+{
+    LinkTerm best;
+    best.value = -std::numeric_limits<double>::infinity();
+    const auto consider = [&best](double value, double fraction, const Vector2d &normal)
+    {
+        if (value > best.value)
+            best = {value, LinkForce::at(fraction, normal)};
+    };
+    for (const Segment &edge : edges)
+    {
+        const Vector2d outward = -edge.normal();
+        const double end = outward.dot(link.along) < 0.0 ? 1.0 : 0.0;
+        consider(outward.dot(link.at(end) - edge.base), end, outward);
+    }
+    for (const Vector2d &normal : {link.normal(), Vector2d(-link.normal())})
+    {
+        const auto lower = [&normal](const Segment &a, const Segment &b)
+        {
+            return normal.dot(a.base) < normal.dot(b.base);
+        };
+        const Vector2d &top = std::max_element(edges.begin(), edges.end(), lower)->base;
+        consider(normal.dot(link.base - top), link.foot(top), normal);
+    }
+    return best;
+}
+}  // namespace
+
+PolygonObstacle::PolygonObstacle(const Polygon &polygon, double linkRadius, double reach)
+  : polygon_(polygon), box_(bounds({"", polygon})), edges_(edgesOf(polygon)), linkRadius_(linkRadius)
+{
+    const double pi = std::acos(-1.0);
+    size_ = 2.0 * (std::min(std::sqrt(areaOf(edges_) / pi), reach) + linkRadius);
+    for (const Polygon &part : convexParts(polygon))
+        pieces_.push_back(edgesOf(part));
+}
+
+bool PolygonObstacle::meets(const Segment &link) const
+{
+    const Vector2d tip = link.tip();
+    if ((link.base.cwiseMax(tip).array() < box_.lower.array()).any() ||
+        (link.base.cwiseMin(tip).array() > box_.upper.array()).any())
+        return false;
+    return contains(polygon_, link.base) ||
+           std::any_of(edges_.begin(), edges_.end(), [&link](const Segment &edge) { return cross(link, edge); });
+}
+
+LinkTerm PolygonObstacle::distance(const Segment &link) const
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    Vector2d way = Vector2d::Zero();
+    double where = 0.0;
+    visitWays(link, edges_,
+              [&](const Vector2d &apart, double fraction)
+              {
+                  if (!(apart.squaredNorm() < nearest))
+                      return;
+                  nearest = apart.squaredNorm();
+                  way = apart;
+                  where = fraction;
+              });
+    const double length = std::sqrt(nearest);
+    return {length, LinkForce::at(where, length > 0.0 ? Vector2d(way / length) : link.normal())};
+}
+
+LinkTerm PolygonObstacle::depth(const Segment &link) const
+{
+    LinkTerm deepest;
+    for (const std::vector<Segment> &piece : pieces_)
+    {
+        const LinkTerm term = separation(link, piece);
+        if (term.value < deepest.value)
+            deepest = term;
+    }
+    return deepest;
+}
+
+LinkTerm PolygonObstacle::clearance(const Segment &link) const
+{
+    LinkTerm term = meets(link) ? depth(link) : distance(link);
+    term.value -= linkRadius_;
+    return term;
+}
+
+LinkTerm PolygonObstacle::pole(const Segment &link) const
+{
+    SmoothMinimum minimum(linkRadius_);
+    visitWays(link, edges_, [&minimum](const Vector2d &apart, double fraction) { minimum.add(apart, fraction); });
+    return poleOf(minimum.positive() && !meets(link) ? minimum.value() : clearance(link), size_);
+}
+}  // namespace narrows

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernel/LinkObstacle.h"
+
+namespace narrows
+{
+class PolygonObstacle : public LinkObstacle
+{
+public:
+    PolygonObstacle(const Polygon &polygon, double linkRadius, double reach);
+
+    LinkTerm pole(const Segment &link) const override;
+    LinkTerm clearance(const Segment &link) const override;
+
+private:
+    bool meets(const Segment &link) const;
+    LinkTerm distance(const Segment &link) const;
+    LinkTerm depth(const Segment &link) const;
+
+    Polygon polygon_;
+    Bounds box_;
+    std::vector<Segment> edges_;
+    std::vector<std::vector<Segment>> pieces_;  ///< edges of convex polygons that make up the polygon
+    double linkRadius_;
+    double size_;  ///< 2 (R + link radius)
+};
+}  // namespace narrows

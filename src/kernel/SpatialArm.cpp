@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kernel/SpatialArm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace narrows
+{
+namespace
+{
+using Eigen::Isometry3d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double rigidity = 1e-9;  // how far an axis may be from a unit vector, an offset from a rigid motion
+
+[[noreturn]] void refuse(const char *what, std::size_t index, const std::string &why)
+{
+    throw std::invalid_argument(std::string(what) + " " + std::to_string(index) + ": " + why);
+}
+
+bool isRigid(const Isometry3d &motion)
+{
+    const Matrix3d &linear = motion.linear();
+    return motion.matrix().allFinite() && linear.isUnitary(rigidity) && linear.determinant() > 0.0;
+}
+
+bool hasRevoluteAncestor(const std::vector<SpatialJoint> &joints, int joint)
+{
+    for (int i = joints[joint].parent; i >= 0; i = joints[i].parent)
+        if (joints[i].kind == SpatialJoint::Kind::Revolute)
+            return true;
+    return false;
+}
+
+void checkJoint(const std::vector<SpatialJoint> &joints, int i)
+{
+    const SpatialJoint &joint = joints[i];
+    if (joint.parent < -1 || joint.parent >= i)
+        refuse("joint", i, "the parent must come before the joint");
+    if (!(std::abs(joint.axis.norm() - 1.0) < rigidity))
+        refuse("joint", i, "the axis must be a unit vector");
+    if (!isRigid(joint.offset))
+        refuse("joint", i, "the offset must be a rigid motion");
+    if (joint.limits && !(joint.limits->lower < joint.limits->upper))
+        refuse("joint", i, "the limits must be ordered");
+    if (joint.limits && !std::isfinite(joint.limits->upper - joint.limits->lower))
+        refuse("joint", i, "the limits must be finite");
+    if (joint.kind != SpatialJoint::Kind::Prismatic)
+        return;
+    if (!joint.limits)
+        refuse("joint", i, "a prismatic joint needs limits");
+    if (hasRevoluteAncestor(joints, i))
+        refuse("joint", i, "a prismatic joint cannot follow a revolute one");
+}
+
+void checkLink(const SpatialLink &link, std::size_t i, int jointCount)
+{
+    if (link.joint < -1 || link.joint >= jointCount)
+        refuse("link", i, "its joint does not exist");
+    if (!link.from.allFinite() || !link.to.allFinite())
+        refuse("link", i, "the ends must be finite");
+    if (!(link.radius >= 0.0) || !std::isfinite(link.radius))
+        refuse("link", i, "the radius must be finite and not negative");
+    if (link.from == link.to && link.radius == 0.0)
+        refuse("link", i, "neither extended nor thick");
+}
+
+void checkUniversalLimit(const UniversalLimit &limit, std::size_t i, const std::vector<SpatialJoint> &joints)
+{
+    for (const int joint : {limit.first, limit.second})
+        if (joint < 0 || joint >= static_cast<int>(joints.size()) || joints[joint].kind != SpatialJoint::Kind::Revolute)
+            refuse("universal limit", i, "it must name revolute joints");
+    if (limit.first == limit.second)
+        refuse("universal limit", i, "it must name two different joints");
+    if (!(limit.maxAngle > 0.0 && limit.maxAngle < std::acos(0.0)))
+        refuse("universal limit", i, "the angle must be between 0 and pi / 2");
+}
+
+Matrix3d crossMatrix(const Vector3d &v)
+{
+    Matrix3d cross;
+    cross << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return cross;
+}
+
+/// What the passes from the base to the tips know of a joint. Kept per thread, so that its memory is used again.
+struct JointBounds
+{
+    double way = 0.0;   // of the frame's origin, slides left out
+    double bend = 0.0;  // of the frame's origin
+    double turn = 0.0;  // sum of the revolute rates up to this joint
+    Vector3d slide = Vector3d::Zero();
+};
+
+struct JointVelocity
+{
+    Vector3d linear = Vector3d::Zero();  // of the frame's origin
+    Vector3d angular = Vector3d::Zero();
+};
+}  // namespace
+
+SpatialArm::SpatialArm(std::vector<SpatialJoint> joints, std::vector<SpatialLink> links,
+                       std::vector<UniversalLimit> universalLimits)
+  : joints_(std::move(joints)), links_(std::move(links)), universalLimits_(std::move(universalLimits))
+{
+    if (joints_.empty() || links_.empty())
+        throw std::invalid_argument("an arm needs at least one joint and one link");
+    for (int i = 0; i < dimension(); ++i)
+    {
+        checkJoint(joints_, i);
+        prepareJoint(i);
+    }
+    for (int i = 0; i < linkCount(); ++i)
+    {
+        checkLink(links_[i], i, dimension());
+        prepareLink(i);
+    }
+    for (std::size_t i = 0; i < universalLimits_.size(); ++i)
+        checkUniversalLimit(universalLimits_[i], i, joints_);
+    measureReach();
+    Placement atZero;
+    place(Eigen::VectorXd::Zero(dimension()), atZero);
+    neighbours_ = findNeighbours(*this, atZero);
+}
+
+SpatialArm::Lever SpatialArm::lever(int joint, const Vector3d &vector) const
+{
+    if (joint < 0)
+        return {vector.norm(), vector.norm()};
+    return {vector.norm(), joints_[joint].axis.cross(vector).norm()};
+}
+
+void SpatialArm::prepareJoint(int i)
+{
+    const SpatialJoint &joint = joints_[i];
+    const Matrix3d turn = joint.offset.linear() * crossMatrix(joint.axis);
+    rotations_.push_back({joint.offset.linear(), turn, turn * crossMatrix(joint.axis)});
+    hops_.push_back(lever(joint.parent, joint.offset.translation()));
+    Vector3d direction = joint.axis;
+    for (int k = i; k >= 0; k = joints_[k].parent)
+        direction = joints_[k].offset.linear() * direction;
+    directions_.push_back(direction);
+}
+
+void SpatialArm::prepareLink(int i)
+{
+    const Lever from = lever(links_[i].joint, links_[i].from);
+    const Lever to = lever(links_[i].joint, links_[i].to);
+    extents_.push_back({std::max(from.length, to.length), std::max(from.perpendicular, to.perpendicular)});
+}
+
+void SpatialArm::measureReach()
+{
+    std::vector<double> far(joints_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+    {
+        const SpatialJoint &joint = joints_[i];
+        far[i] = joint.parent < 0 ? 0.0 : far[joint.parent] + hops_[i].length;
+        if (joint.kind == SpatialJoint::Kind::Prismatic)
+            far[i] += std::max(std::abs(joint.limits->lower), std::abs(joint.limits->upper));
+    }
+    for (std::size_t i = 0; i < links_.size(); ++i)
+        reach_ = std::max(reach_,
+                          extents_[i].length + links_[i].radius + (links_[i].joint < 0 ? 0.0 : far[links_[i].joint]));
+}
+
+void SpatialArm::place(const Eigen::Ref<const Eigen::VectorXd> &q, Placement &placement) const
+{
+    placement.frames.resize(joints_.size());
+    placement.points.resize(2 * links_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+    {
+        const SpatialJoint &joint = joints_[i];
+        Isometry3d &frame = placement.frames[i];
+        Vector3d origin = joint.offset.translation();
+        if (joint.kind == SpatialJoint::Kind::Prismatic)
+        {
+            frame.linear() = rotations_[i].fixed;
+            origin += q[i] * (rotations_[i].fixed * joint.axis);
+        }
+        else
+        {
+            const double cosine = std::cos(q[i]);
+            const double sine = std::sin(q[i]);
+            frame.linear() = rotations_[i].fixed + sine * rotations_[i].sine + (1.0 - cosine) * rotations_[i].cosine;
+        }
+        frame.translation() = origin;
+        frame.makeAffine();
+        if (joint.parent >= 0)
+        {
+            const Isometry3d &parent = placement.frames[joint.parent];
+            frame.translation() = parent.linear() * origin + parent.translation();
+            frame.linear() = (parent.linear() * frame.linear()).eval();
+        }
+    }
+    for (std::size_t i = 0; i < links_.size(); ++i)
+    {
+        const SpatialLink &link = links_[i];
+        placement.points[2 * i] = link.joint < 0 ? link.from : placement.frames[link.joint] * link.from;
+        placement.points[2 * i + 1] = link.joint < 0 ? link.to : placement.frames[link.joint] * link.to;
+    }
+}
+
+void SpatialArm::motionBounds(const Eigen::Ref<const Eigen::VectorXd> &delta, Eigen::VectorXd &lengths,
+                              Eigen::VectorXd &bends, Eigen::VectorXd &turns) const
+{
+    thread_local std::vector<JointBounds> bounds;
+    bounds.resize(joints_.size());
+    // A vector that a joint's frame carries. The joint's own turn moves it by its distance from the axis only; of two
+    // derivatives of a product of rotations, every pair of joints contributes the product of their rates.
+    const auto carried = [&](int joint, const Lever &vector)
+    {
+        JointBounds there = bounds[joint];
+        const double own = joints_[joint].kind == SpatialJoint::Kind::Revolute ? std::abs(delta[joint]) : 0.0;
+        const double others = there.turn - own;
+        there.way += others * vector.length + own * vector.perpendicular;
+        there.bend += others * others * vector.length + (2.0 * others + own) * own * vector.perpendicular;
+        return there;
+    };
+    for (int i = 0; i < dimension(); ++i)
+    {
+        bounds[i] = joints_[i].parent < 0 ? JointBounds() : carried(joints_[i].parent, hops_[i]);
+        if (joints_[i].kind == SpatialJoint::Kind::Prismatic)
+            bounds[i].slide += delta[i] * directions_[i];
+        else
+            bounds[i].turn += std::abs(delta[i]);
+    }
+    lengths.resize(linkCount());
+    bends.resize(linkCount());
+    turns.resize(linkCount());
+    for (int i = 0; i < linkCount(); ++i)
+    {
+        const JointBounds link = links_[i].joint < 0 ? JointBounds() : carried(links_[i].joint, extents_[i]);
+        lengths[i] = link.way + link.slide.norm();
+        bends[i] = link.bend;
+        turns[i] = link.turn;
+    }
+}
+
+void SpatialArm::velocities(const Placement &placement, const Eigen::Ref<const Eigen::VectorXd> &delta,
+                            std::vector<Vector3d> &points, std::vector<Vector3d> &spins) const
+{
+    thread_local std::vector<JointVelocity> velocities;
+    velocities.resize(joints_.size());
+    const auto carried = [&](int joint, const Vector3d &point)
+    {
+        const JointVelocity &frame = velocities[joint];
+        return Vector3d(frame.linear + frame.angular.cross(point - placement.frames[joint].translation()));
+    };
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+    {
+        const int parent = joints_[i].parent;
+        JointVelocity velocity;
+        if (parent >= 0)
+            velocity = {carried(parent, placement.frames[i].translation()), velocities[parent].angular};
+        if (joints_[i].kind == SpatialJoint::Kind::Prismatic)
+            velocity.linear += delta[i] * directions_[i];
+        else
+            velocity.angular += delta[i] * (placement.frames[i].linear() * joints_[i].axis);
+        velocities[i] = velocity;
+    }
+    points.assign(2 * links_.size(), Vector3d::Zero());
+    spins.assign(links_.size(), Vector3d::Zero());
+    for (std::size_t i = 0; i < links_.size(); ++i)
+        if (links_[i].joint >= 0)
+        {
+            points[2 * i] = carried(links_[i].joint, placement.points[2 * i]);
+            points[2 * i + 1] = carried(links_[i].joint, placement.points[2 * i + 1]);
+            spins[i] = velocities[links_[i].joint].angular;
+        }
+}
+
+void SpatialArm::addGradient(const Placement &placement, int link, const Vector3d &point, const Vector3d &force,
+                             Eigen::VectorXd &gradient) const
+{
+    for (int i = links_[link].joint; i >= 0; i = joints_[i].parent)
+    {
+        const Isometry3d &frame = placement.frames[i];
+        if (joints_[i].kind == SpatialJoint::Kind::Prismatic)
+            gradient[i] += directions_[i].dot(force);
+        else
+            gradient[i] += (frame.linear() * joints_[i].axis).dot((point - frame.translation()).cross(force));
+    }
+}
+}  // namespace narrows

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "kernel/LinkObstacle.h"
+
+namespace narrows
+{
+class SuperellipseObstacle : public LinkObstacle
+{
+public:
+    SuperellipseObstacle(const Superellipse &shape, double linkRadius, double reach);
+
+    LinkTerm pole(const Segment &link) const override;
+    LinkTerm clearance(const Segment &link) const override;
+
+private:
+    LinkTerm outside(const Eigen::Vector2d &point, double fraction) const;
+    LinkTerm gauge(const Segment &link, double &fraction) const;
+    double deepest(const Eigen::Vector2d &from, const Eigen::Vector2d &along) const;
+    /// |x|^(p - 1) with the sign of x, for both entries, and, in `lower`, |x|^(p - 2).
+    Eigen::Vector2d raise(const Eigen::Vector2d &base, Eigen::Vector2d &lower) const
+    {
+        if (quartic_)  // what the paper uses; pow() costs ten times as much
+            lower = base.cwiseProduct(base);
+        else
+            lower = base.cwiseAbs().array().pow(exponent_ - 2.0);
+        return lower.cwiseProduct(base);
+    }
+    /// power^(1 / p)
+    double root(double power) const
+    {
+        return quartic_ ? std::sqrt(std::sqrt(power)) : std::pow(power, 1.0 / exponent_);
+    }
+    Eigen::Vector2d supportPoint(const Eigen::Vector2d &direction) const;
+    double pointDistance(const Eigen::Vector2d &corner, Eigen::Vector2d &normal) const;
+
+    Eigen::Vector2d center_, extents_, inverseExtents_;
+    double exponent_;
+    double leastExtent_;
+    double linkRadius_;
+    double size_;  ///< 2 (R + link radius)
+    bool quartic_;
+};
+}  // namespace narrows

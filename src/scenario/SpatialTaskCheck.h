@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kernel/SpatialModel.h"
+#include "scenario/YamlField.h"
+
+namespace narrows
+{
+/// Reports a start or goal that touches obstacles, with the links and the obstacles by name, and a tip goal that lies
+/// inside an obstacle (other than a mesh) with all of its tolerance.
+/// \param numbers what the file counts each of the arm's links as
+void checkTaskIsFree(const Field &start, const Field &goal, const SpatialModel &model, const SpatialTask &task,
+                     const std::vector<int> &numbers);
+}  // namespace narrows

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernel/LinkMotion.h"
+
+namespace narrows
+{
+/// What is known of a link on a stretch of motion.
+enum class Finding
+{
+    Clear,    ///< touches nothing, all along the stretch
+    Unsure,   ///< touches nothing in the middle; the rest could not be told
+    Touching  ///< touches something in the middle
+};
+
+/// Answers, for one link at a time, whether it keeps away from all obstacles, and for two, whether they keep away from
+/// each other. Everything that says "free" in this project (states and motions, for every planner) goes through this
+/// interface. Touching counts as a collision. Immutable, so that threads may share one.
+template <int Dim>
+class LinkChecker
+{
+public:
+    virtual ~LinkChecker() = default;
+
+    /// Whether no obstacle touches the link.
+    virtual bool clears(const Link<Dim> &link) const = 0;
+
+    /// Distance from the link to the nearest obstacle: negative or zero iff they touch (then its size means nothing),
+    /// +infinity without obstacles.
+    virtual double clearance(const Link<Dim> &link) const = 0;
+
+    /// The worst of what can be told of the link and any obstacle.
+    virtual Finding examine(const LinkMotion<Dim> &link) const = 0;
+
+    /// The same of two links of one arm.
+    virtual bool clears(const Link<Dim> &link, const Link<Dim> &other) const = 0;
+    virtual double clearance(const Link<Dim> &link, const Link<Dim> &other) const = 0;
+    virtual Finding examine(const LinkMotion<Dim> &link, const LinkMotion<Dim> &other) const = 0;
+};
+}  // namespace narrows

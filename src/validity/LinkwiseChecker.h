@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "validity/ArmChecker.h"
+#include "validity/MotionSearch.h"
+
+namespace narrows
+{
+/// An `ArmChecker` that asks a `LinkChecker` about each link, and each pair of links that can collide.
+template <class Arm>
+class LinkwiseChecker final : public ArmChecker
+{
+public:
+    LinkwiseChecker(const Arm &arm, std::unique_ptr<const LinkChecker<Arm::Dim>> links, bool selfCollision)
+      : arm_(arm), links_(std::move(links)), resolution_(1e-9 * arm.reach())
+    {
+        for (int link = 0; selfCollision && link < arm.linkCount(); ++link)
+            for (int other = 0; other < link; ++other)
+                if (!arm.areNeighbours(link, other))
+                    pairs_.emplace_back(link, other);
+    }
+
+    bool isFree(ConfigurationRef q) const override
+    {
+        const MovingArm<Arm> &placed = place(q);
+        for (int i = 0; i < arm_.linkCount(); ++i)
+            if (!links_->clears(placed.link(i)))
+                return false;
+        for (const auto &[link, other] : pairs_)
+            if (!links_->clears(placed.link(link), placed.link(other)))
+                return false;
+        return true;
+    }
+
+    double clearance(ConfigurationRef q) const override
+    {
+        const MovingArm<Arm> &placed = place(q);
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < arm_.linkCount(); ++i)
+            least = std::min(least, links_->clearance(placed.link(i)));
+        for (const auto &[link, other] : pairs_)
+            least = std::min(least, links_->clearance(placed.link(link), placed.link(other)));
+        return least;
+    }
+
+    bool isMotionFree(ConfigurationRef q, ConfigurationRef delta, std::uint64_t &placements) const override
+    {
+        return search(q, delta, placements).isFree();
+    }
+
+    double freeUntil(ConfigurationRef q, ConfigurationRef delta, std::uint64_t &placements) const override
+    {
+        return search(q, delta, placements).freeUntil();
+    }
+
+private:
+    const MovingArm<Arm> &place(ConfigurationRef q) const
+    {
+        thread_local MovingArm<Arm> placed;
+        placed.rest(arm_, q);
+        return placed;
+    }
+
+    MotionSearch<Arm> &search(ConfigurationRef q, ConfigurationRef delta, std::uint64_t &placements) const
+    {
+        thread_local MotionSearch<Arm> search;
+        search.begin(arm_, *links_, pairs_, resolution_, q, delta, placements);
+        return search;
+    }
+
+    Arm arm_;
+    std::unique_ptr<const LinkChecker<Arm::Dim>> links_;
+    std::vector<LinkPair> pairs_;
+    double resolution_;
+};
+}  // namespace narrows

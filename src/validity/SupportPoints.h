@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "validity/SupportDistance.h"
+
+/// For every core shape, its point furthest in a direction.
+namespace narrows::proof
+{
+template <int Dim>
+const Point<Dim> &furthestOf(const Segment<Dim> &segment, const Point<Dim> &u)
+{
+    return segment.from.dot(u) >= segment.to.dot(u) ? segment.from : segment.to;
+}
+
+template <class Points, class Point>
+const Point &furthestOfAll(const Points &points, const Point &u)
+{
+    const Point *furthest = &points[0];
+    double value = furthest->dot(u);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (const double other = points[i].dot(u); other > value)
+        {
+            value = other;
+            furthest = &points[i];
+        }
+    return *furthest;
+}
+
+inline const Eigen::Vector2d &furthestOf(const Hull &hull, const Eigen::Vector2d &u)
+{
+    return furthestOfAll(hull, u);
+}
+
+inline const Eigen::Vector3d &furthestOf(const Triangle &triangle, const Eigen::Vector3d &u)
+{
+    return furthestOfAll(triangle, u);
+}
+
+/// Where the gradient of |x/a|^p + |y/b|^p is parallel to u. Scaled by the larger component first, so that high
+/// exponents neither overflow nor vanish.
+inline Eigen::Vector2d furthestOf(const Superellipse &shape, const Eigen::Vector2d &u)
+{
+    const Eigen::Vector2d scaled = shape.halfExtents.cwiseProduct(u);
+    const Eigen::Vector2d size = scaled.cwiseAbs();
+    const double root = 1.0 / (shape.exponent - 1.0);
+    const double ratio = std::pow(size.minCoeff() / size.maxCoeff(), root);
+    const double scale = std::pow(1.0 + std::pow(ratio, shape.exponent), -1.0 / shape.exponent);
+    const bool wide = size.x() >= size.y();
+    const Eigen::Vector2d unit(std::copysign(wide ? scale : ratio * scale, scaled.x()),
+                               std::copysign(wide ? ratio * scale : scale, scaled.y()));
+    return shape.center + shape.halfExtents.cwiseProduct(unit);
+}
+
+inline Eigen::Vector3d furthestOf(const Box &box, const Eigen::Vector3d &u)
+{
+    const auto turn = box.pose.linear();
+    Eigen::Vector3d corner = box.pose.translation();
+    for (int axis = 0; axis < 3; ++axis)
+        corner += std::copysign(box.halfExtents[axis], turn.col(axis).dot(u)) * turn.col(axis);
+    return corner;
+}
+
+inline Eigen::Vector3d furthestOf(const Eigen::AlignedBox3d &box, const Eigen::Vector3d &u)
+{
+    return (u.array() >= 0.0).select(box.max(), box.min());
+}
+
+/// On the rim; if u is along the axis any point of the end will do.
+inline Eigen::Vector3d furthestOf(const Cylinder &cylinder, const Eigen::Vector3d &u)
+{
+    const double along = u.dot(cylinder.axis);
+    const Eigen::Vector3d outwards = u - along * cylinder.axis;
+    const double size = outwards.norm();
+    Eigen::Vector3d point = cylinder.center + std::copysign(cylinder.halfLength, along) * cylinder.axis;
+    if (size > 0.0)
+        point += cylinder.radius / size * outwards;
+    return point;
+}
+}  // namespace narrows::proof

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robots in space through the whole program: problem, planners, run, verdict, path file.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <ompl/base/goals/GoalState.h>
+
+#include "TinySpatialProblem.h"
+#include "benchmark/PathFile.h"
+#include "benchmark/RunOnce.h"
+#include "planners/PlannerFactory.h"
+#include "spaces/SpatialArmStateSpace.h"
+#include "spaces/TipGoalRegion.h"
+
+namespace narrows
+{
+namespace
+{
+RunSpec specOf(const Scenario &scenario, const std::string &planner, const std::string &checker = "analytic")
+{
+    RunSpec spec;
+    spec.instance = scenario.name;
+    spec.scenario = std::make_shared<const Scenario>(scenario);
+    spec.problem.checker = checker;
+    spec.planner = spec.label = planner;
+    spec.seed = 4;
+    spec.timeLimit = 5.0;
+    return spec;
+}
+
+Scenario tinyTipScenario()
+{
+    Scenario scenario = tinySpatialScenario();
+    SpatialTask &task = scenario.spatial().task;
+    SpatialArm::Placement placement;
+    scenario.spatial().model->arm.place(std::get<Eigen::VectorXd>(task.goal), placement);
+    task.goal = SpatialTipGoal{2, placement.points.back(), 1e-3};
+    return scenario;
+}
+
+TEST(SpatialProblem, HoldsWhatTheScenarioSays)
+{
+    const Scenario scenario = tinySpatialScenario();
+    const Problem problem = makeProblem(scenario);
+    const auto &space = dynamic_cast<const SpatialArmStateSpace &>(*problem.space);
+    EXPECT_EQ(space.arm().linkCount(), 3);
+    Eigen::VectorXd q;
+    space.toConfiguration(problem.pdef->getStartState(0), q);
+    EXPECT_EQ(q, scenario.spatial().task.start);
+    EXPECT_TRUE(problem.si->isValid(problem.pdef->getStartState(0)));
+    const ob::State *goal = problem.pdef->getGoal()->as<ob::GoalState>()->getState();
+    EXPECT_TRUE(problem.si->isValid(goal));
+    EXPECT_FALSE(problem.si->checkMotion(problem.pdef->getStartState(0), goal)) << "the ball is in the way";
+    EXPECT_EQ(problem.context.planar, nullptr);
+    ASSERT_TRUE(problem.context.repulsion);
+    EXPECT_EQ(problem.context.repulsion()->dimension(), 6);
+}
+
+TEST(SpatialProblem, HasNoAbsoluteAngles)
+{
+    const Scenario scenario = tinySpatialScenario();
+    for (const char *space : {"absolute", "absolute_line", "no_such_space"})
+        EXPECT_THROW(makeProblem(scenario, {"analytic", "continuous", space}), std::invalid_argument) << space;
+    for (const char *space : {"scenario", "relative", "relative_line"})
+        EXPECT_NO_THROW(makeProblem(scenario, {"analytic", "continuous", space})) << space;
+}
+
+class SpatialRun : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(SpatialRun, EndsInAVerifiedPath)
+{
+    const RunSpec spec = specOf(tinySpatialScenario(), "rrtconnect", GetParam());
+    const Record record = runOnce(spec);
+    ASSERT_EQ(record.outcome, Outcome::Solved) << record.reason;
+    EXPECT_EQ(record.path.front(), spec.scenario->spatial().task.start);
+    EXPECT_GT(record.clearance.value(), 0.0);
+    EXPECT_GT(record.maxJointStep.value(), 0.0);
+}
+
+TEST_P(SpatialRun, ReachesATip)
+{
+    const Record record = runOnce(specOf(tinyTipScenario(), "rrtconnect", GetParam()));
+    EXPECT_EQ(record.outcome, Outcome::Solved) << record.reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(Checkers, SpatialRun, testing::Values("analytic", "fcl"),
+                         [](const auto &checker) { return checker.param; });
+
+TEST(SpatialRunRecord, IsUnsupportedForPlannersOfThePlane)
+{
+    const Record record = runOnce(specOf(tinySpatialScenario(), "xxl"));
+    EXPECT_EQ(record.outcome, Outcome::Unsupported);
+    EXPECT_FALSE(record.reason.empty());
+}
+
+TEST(SpatialRunRecord, CanBeReadBackAndVerified)
+{
+    const RunSpec spec = specOf(tinySpatialScenario(), "rrtconnect");
+    const Record record = runOnce(spec);
+    const std::string file = testing::TempDir() + "spatial_path.json";
+    std::ofstream(file) << toJson(spec, record);
+    const std::vector<Eigen::VectorXd> path = readPathFile(file, *spec.scenario);
+    std::filesystem::remove(file);
+    EXPECT_EQ(path, record.path);
+    EXPECT_TRUE(verify(spec.scenario->world, path).accepted);
+    std::vector<Eigen::VectorXd> straight{path.front(), path.back()};
+    EXPECT_EQ(verify(spec.scenario->world, straight).reason, "collision");
+}
+
+/// What planners do in space differs from the plane in nothing but the space.
+TEST(SpatialPlanners, PathsThatTheyCallExactAreVerified)
+{
+    int solved = 0;
+    for (const char *planner : {"bkpiece1", "biest", "est", "hppm", "kpiece1", "lbkpiece1", "pdst", "prmstar",
+                                "projest", "rrt", "rrtconnect", "rrtstar", "sbl", "stride"})
+    {
+        const Record record = runOnce(specOf(tinySpatialScenario(), planner));
+        EXPECT_NE(record.outcome, Outcome::Unverified) << planner << ": " << record.reason;
+        EXPECT_NE(record.outcome, Outcome::Crash) << planner << ": " << record.reason;
+        solved += record.outcome == Outcome::Solved;
+    }
+    EXPECT_GE(solved, 13);
+}
+}  // namespace
+}  // namespace narrows
