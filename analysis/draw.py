@@ -84,7 +84,7 @@ def draw_panels(scene, panels, target, heading=None):
     for axes in list(grid.flat)[len(panels) :]:
         axes.set_visible(False)
     if heading:
-        figure.suptitle(heading, fontsize=11)
+        figure.suptitle(heading, fontsize=11 if columns > 2 else 8)
     save(figure, target)
 
 

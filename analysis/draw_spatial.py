@@ -7,11 +7,11 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from palette import EDGE, GOAL, OBSTACLE, POSES, START, SWEEP, TIPS, TRACE
 from scene import poses
-from spatial_scene import ball, tube
+from surfaces import ball, tube
 
 PROJECTION = "3d"
 LINK_SIDES = 8
-ROOM = 1.5  # how far around the arm obstacles are shown, over the arm's own size
+ROOM = 1.2  # how far around the arm obstacles are shown, over the arm's own size
 
 
 def extent(scene, paths):
@@ -87,7 +87,7 @@ def shape(_corners):
 
 
 def label(axes, caption):
-    axes.text2D(0.5, -0.02, caption, transform=axes.transAxes, ha="center", fontsize=8)
+    axes.text2D(0.5, -0.06, caption, transform=axes.transAxes, ha="center", fontsize=8)
 
 
 def draw_panel(axes, scene, path, corners):
@@ -102,6 +102,6 @@ def draw_panel(axes, scene, path, corners):
     axes.plot(*start[0, :1].T, marker="o", color="black", markersize=4)
     low, high = corners
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    axes.set_box_aspect(high - low)
+    axes.set_box_aspect(high - low, zoom=0.93)
     axes.view_init(elev=24, azim=-58)
     axes.tick_params(labelsize=6, pad=-2)

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import yaml
 
-from spatial_scene import angle, read_spatial_scene
+from rotations import angle
+from spatial_scene import read_spatial_scene
 
 OUTLINE_POINTS = 160
 

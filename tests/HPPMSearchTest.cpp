@@ -30,8 +30,7 @@ Attempt solve(const Scenario &scenario, std::uint32_t seed, const Parameters &pa
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
     ompl::RNG::setSeed(seed);
     Attempt attempt{makeProblem(scenario), nullptr, {}, {}};
-    attempt.planner =
-        std::dynamic_pointer_cast<HPPM>(makePlanner("hppm", attempt.problem.context, parameters));
+    attempt.planner = std::dynamic_pointer_cast<HPPM>(makePlanner("hppm", attempt.problem.context, parameters));
     attempt.planner->setProblemDefinition(attempt.problem.pdef);
     attempt.planner->setup();
     attempt.status = attempt.planner->solve(ob::plannerNonTerminatingCondition());
@@ -119,8 +118,8 @@ TEST(HPPMSearch, GivesUpAfterItsTries)
         ++gaveUp;
         EXPECT_EQ(attempt.status, ob::PlannerStatus::ABORT);
         EXPECT_EQ(attempt.planner->reason(), "tries");
-        EXPECT_EQ(attempt.planner->measures().at("traces"), 1.0);
-        EXPECT_TRUE(attempt.planner->recipe().empty());
+        EXPECT_LE(attempt.planner->measures().at("traces"), 2.0);
+        EXPECT_EQ(attempt.planner->recipe().at("search"), "paper");  // of the curve that was tried last
     }
     EXPECT_GT(gaveUp, 0);
 }

@@ -85,8 +85,8 @@ TEST(HPPM, NamesWhyItStopped)
     }
     // Spheres so large that their chords cut a corner: the curve arrives, the validator says no.
     EXPECT_EQ(reason(paperCase(2), {{"form", "full"}, {"radius", "0.08"}}), "collision");
-    // Poles thinner than any step.
-    EXPECT_EQ(reason(paperCase(1), {{"repulsion", "1e-6"}}), "step_underflow");
+    // Poles of one sign, however thin, do not let the curve between them.
+    EXPECT_EQ(reason(paperCase(1), {{"repulsion", "1e-6"}}), "wrong_root");
 }
 
 TEST(HPPM, SaysThatThePaperHasNoPolygons)

@@ -86,7 +86,10 @@ TEST(SliceOracle, SeesThatAWallHasNoHole)
 
 TEST(SliceOracle, SeesThatAnEndIsBlocked)
 {
-    const Clearance open = [](const Eigen::VectorXd &) { return 1.0; };
+    const Clearance open = [](const Eigen::VectorXd &)
+    {
+        return 1.0;
+    };
     EXPECT_TRUE(explore(open).joins);
     EXPECT_FALSE(explore([](const Eigen::VectorXd &z) { return z.norm() - 0.1; }).joins);
     EXPECT_FALSE(explore([](const Eigen::VectorXd &z) { return (z - Eigen::Vector2d(0.0, 1.0)).norm() - 0.1; }).joins);
@@ -106,8 +109,14 @@ TEST(SliceOracle, LeavesANarrowWedge)
 
 TEST(SliceOracle, RefusesWhatItCannotExplore)
 {
-    const auto free = [](const Eigen::VectorXd &) { return 1.0; };
-    const auto yes = [](const Eigen::VectorXd &, const Eigen::VectorXd &) { return true; };
+    const auto free = [](const Eigen::VectorXd &)
+    {
+        return 1.0;
+    };
+    const auto yes = [](const Eigen::VectorXd &, const Eigen::VectorXd &)
+    {
+        return true;
+    };
     EXPECT_THROW(exploreSlice(Plane(2), free, yes), std::invalid_argument);
     SliceWindow window;
     window.lambdaMax = 0.9;

@@ -80,8 +80,9 @@ void printHuman(const RunSpec &spec, const Record &record)
 SliceView showSlice(const PlanOptions &options, const RunSpec &spec, const Record &record)
 {
     if (record.recipe.empty())
-        throw std::invalid_argument("--slice: no curve was followed" +
-                                    std::string(record.outcome == Outcome::Solved ? "; the straight motion is free" : ""));
+        throw std::invalid_argument("--slice: no curve was followed" + std::string(record.outcome == Outcome::Solved
+                                                                                       ? "; the straight motion is free"
+                                                                                       : ""));
     SliceView view = viewSlice(*spec.scenario, spec.problem, record.recipe);
     drawSlice(view, options.slice);
     return view;
@@ -168,7 +169,8 @@ void addPlanCommand(CLI::App &program, int &exitCode)
     addProblemOptions(*command, *options);
     command->add_option("--json", options->json, "write the record as JSON; - is stdout, and nothing else goes there");
     command->add_option("--svg", options->svg, "draw the motion");
-    command->add_option("--slice", options->slice, "draw the slice of joint space that hppm followed its last curve in");
+    command->add_option("--slice", options->slice,
+                        "draw the slice of joint space that hppm followed its last curve in");
     command->callback([options, &exitCode] { exitCode = plan(*options); });
 }
 }  // namespace narrows

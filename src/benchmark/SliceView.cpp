@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
 #include <ompl/base/goals/GoalState.h>
+#include <nlohmann/json.hpp>
 
 #include "benchmark/Drawing.h"
 #include "kernel/SliceOracle.h"
@@ -86,7 +86,8 @@ Json shadow(const SliceHomotopy &slice, const Repulsion &obstacle, const SliceWi
             const double lambda = window.lambdaMin + (window.lambdaMax - window.lambdaMin) * j / (pictureColumns - 1);
             slice.configuration(Eigen::Vector2d(s, lambda * slice.lambdaScale()), q);
             obstacle.evaluate(q, sample);
-            const bool meets = std::any_of(sample.poles.begin(), sample.poles.end(), [](double c) { return !(c > 0.0); });
+            const bool meets =
+                std::any_of(sample.poles.begin(), sample.poles.end(), [](double c) { return !(c > 0.0); });
             row += meets ? '#' : '.';
         }
         rows.push_back(row);
@@ -142,10 +143,14 @@ SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
     view.joins = answer.joins;
     view.bottleneck = answer.bottleneck;
     view.status = toString(trace.status);
-    Json json{{"scenario", scenario.name},   {"status", view.status},
-              {"joins", view.joins},         {"bottleneck", view.bottleneck},
-              {"failure", view.failure()},   {"spacing", answer.spacing},
-              {"lambda", {window.lambdaMin, window.lambdaMax}}, {"deviation", window.deviation},
+    Json json{{"scenario", scenario.name},
+              {"status", view.status},
+              {"joins", view.joins},
+              {"bottleneck", view.bottleneck},
+              {"failure", view.failure()},
+              {"spacing", answer.spacing},
+              {"lambda", {window.lambdaMin, window.lambdaMax}},
+              {"deviation", window.deviation},
               {"traced_from", look.planner->getTracedFrom()}};
     json["obstacles"] = shadows(look, slice, window);
     json["curve"] = Json::array({place(slice, slice.startPoint())});

@@ -75,13 +75,6 @@ private:
 };
 }  // namespace
 
-double squaredDistance(const Vector3d &a, const Vector3d &b, const Vector3d &lower, const Vector3d &upper)
-{
-    const Vector3d center = 0.5 * (lower + upper);
-    const BoxView view(a - center, b - a, upper - center);
-    return view.excess(view.closest()).squaredNorm();
-}
-
 Nearness nearness(const Vector3d &a, const Vector3d &b, const Box &box)
 {
     const auto axes = box.pose.linear();

@@ -151,8 +151,8 @@ public:
 
     double side = 1.0;  ///< sign of the augmented determinant: which way is forward
     int evaluations = 0;
-    int corrections = 0;  ///< of the last step
-    int lastPole = -1;    ///< that refused a step
+    int corrections = 0;         ///< of the last step
+    Eigen::Index lastPole = -1;  ///< that refused a step
 
 private:
     void place(Point &point)
@@ -165,22 +165,18 @@ private:
     /// it.
     std::optional<StepLimit> keepOffPoles(const Point &from, Point &to)
     {
-        double here = 1.0, before = 1.0;
-        for (std::size_t i = 0; i < to.curve.poles.size(); ++i)
+        const auto count = static_cast<Eigen::Index>(to.curve.poles.size());
+        to.poleRatio = 1.0;
+        if (count == 0)
+            return std::nullopt;
+        const Eigen::Map<const Eigen::ArrayXd> now(to.curve.poles.data(), count), then(from.curve.poles.data(), count);
+        const double least = (now / then).minCoeff();
+        if (!(least >= options_.poleShrink && now.minCoeff() > 0.0))
         {
-            const double now = to.curve.poles[i], then = from.curve.poles[i];
-            if (!(now > 0.0 && now >= options_.poleShrink * then))
-            {
-                lastPole = static_cast<int>(i);
-                return StepLimit::Pole;
-            }
-            if (now * before < here * then)
-            {
-                here = now;
-                before = then;
-            }
+            (now / then).minCoeff(&lastPole);
+            return StepLimit::Pole;
         }
-        to.poleRatio = here / before;
+        to.poleRatio = std::min(1.0, least);
         return std::nullopt;
     }
 

@@ -27,7 +27,7 @@ public:
     {
         trace_.status = follow(interrupt);
         trace_.evaluations = stepper_.evaluations;
-        trace_.lastPole = stepper_.lastPole;
+        trace_.lastPole = static_cast<int>(stepper_.lastPole);
     }
 
 private:

@@ -55,7 +55,7 @@ void FullHomotopy::evaluate(CurvePoint &point) const
     point.jacobian.leftCols(n) = rows_;
     point.jacobian.row(n - 1).head(n) += sample.gradient.transpose();
     point.jacobian.col(n) = atStart_;
-    point.poles = sample.poles;
+    std::swap(point.poles, sample.poles);
 }
 
 MatrixXd rowsOfSlice(const VectorXd &direction, double coupling)

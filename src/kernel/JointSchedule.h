@@ -10,8 +10,8 @@ namespace narrows
 {
 /// When, along lambda, each joint goes its part of the way D from start to goal. Without holds, all move at lambda's
 /// pace. A joint that is held at an end rests there for a share of lambda's way and makes up for it, once continuously
-/// differentiably, on the rest. So a link that lies in a throat does not turn while the others draw it out: what remains
-/// to be kept is its place across the throat, which one row of W can do.
+/// differentiably, on the rest. So a link that lies in a throat does not turn while the others draw it out: what
+/// remains to be kept is its place across the throat, which one row of W can do.
 struct JointSchedule
 {
     std::vector<int> held;  ///< per joint: 0 not held, -1 at the start, +1 at the goal; empty: none is

@@ -15,7 +15,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr int leafSize = 1;
+constexpr int leafSize = 4;
 
 void checkTriangles(const Mesh &mesh)
 {
@@ -41,6 +41,12 @@ void checkClosed(const Mesh &mesh)
     for (const auto &[from, to] : edges)
         if (edges.count({to, from}) == 0)
             throw std::invalid_argument("a closed mesh has an edge with one triangle only");
+}
+
+/// By how much to enlarge a box, so that rounding never leaves out one that is touched.
+double roundingOf(const Vector3d &lower, const Vector3d &upper)
+{
+    return 1e-12 * lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff();
 }
 
 /// How often a triangle, seen along z, winds around a point. An edge decides the same for both of its triangles, so
@@ -75,24 +81,35 @@ MeshGeometry::MeshGeometry(const Mesh &mesh) : closed_(mesh.closed)
     checkTriangles(mesh);
     if (mesh.closed)
         checkClosed(mesh);
-    triangles_.reserve(mesh.triangles.size());
+    faces_.reserve(mesh.triangles.size());
     for (const std::array<int, 3> &triangle : mesh.triangles)
-        triangles_.push_back({mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
-    build(0, static_cast<int>(triangles_.size()));
+        faces_.emplace_back(
+            Triangle{mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
+    build(0, static_cast<int>(faces_.size()));
+}
+
+MeshGeometry::Face::Face(const Triangle &triangle) : corners(triangle)
+{
+    const Vector3d lower = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const Vector3d upper = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    center = 0.5 * (lower + upper);
+    radius = 0.0;
+    for (const Vector3d &corner : corners)
+        radius = std::max(radius, (corner - center).norm());
+    radius += roundingOf(lower, upper);
 }
 
 int MeshGeometry::build(int begin, int end)
 {
     const int index = static_cast<int>(nodes_.size());
-    nodes_.push_back({triangles_[begin][0], triangles_[begin][0], 0.0, begin, end, -1});
+    nodes_.push_back({faces_[begin].center, faces_[begin].center, 0.0, begin, end, -1});
     for (int i = begin; i < end; ++i)
-        for (const Vector3d &vertex : triangles_[i])
+        for (const Vector3d &vertex : faces_[i].corners)
         {
             nodes_[index].lower = nodes_[index].lower.cwiseMin(vertex);
             nodes_[index].upper = nodes_[index].upper.cwiseMax(vertex);
         }
-    // So that rounding never leaves out a box that is touched.
-    const double rounding = 1e-12 * nodes_[index].lower.cwiseAbs().cwiseMax(nodes_[index].upper.cwiseAbs()).maxCoeff();
+    const double rounding = roundingOf(nodes_[index].lower, nodes_[index].upper);
     nodes_[index].lower.array() -= rounding;
     nodes_[index].upper.array() += rounding;
     nodes_[index].radius = 0.5 * (nodes_[index].upper - nodes_[index].lower).norm();
@@ -100,13 +117,9 @@ int MeshGeometry::build(int begin, int end)
         return index;
     Eigen::Index axis = 0;
     (nodes_[index].upper - nodes_[index].lower).maxCoeff(&axis);
-    const auto place = [axis](const Triangle &triangle)
-    {
-        return triangle[0][axis] + triangle[1][axis] + triangle[2][axis];
-    };
     const int middle = begin + (end - begin) / 2;
-    std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle, triangles_.begin() + end,
-                     [&](const Triangle &one, const Triangle &other) { return place(one) < place(other); });
+    std::nth_element(faces_.begin() + begin, faces_.begin() + middle, faces_.begin() + end,
+                     [axis](const Face &one, const Face &other) { return one.center[axis] < other.center[axis]; });
     nodes_[index].end = begin;
     build(begin, middle);
     const int second = build(middle, end);
@@ -125,10 +138,14 @@ MeshGeometry::SegmentView::SegmentView(const Vector3d &a, const Vector3d &b)
 double MeshGeometry::SegmentView::leastDistance(const Node &node) const
 {
     const double gap = (node.lower - upper_).cwiseMax(lower_ - node.upper).cwiseMax(0.0).squaredNorm();
-    const Vector3d apart = 0.5 * (node.lower + node.upper) - from_;
+    return std::max(std::sqrt(gap), distance(0.5 * (node.lower + node.upper)) - node.radius);
+}
+
+double MeshGeometry::SegmentView::distance(const Vector3d &point) const
+{
+    const Vector3d apart = point - from_;
     const double fraction = std::clamp(along_.dot(apart) * inverseSquare_, 0.0, 1.0);
-    const double ball = (apart - fraction * along_).norm() - node.radius;
-    return std::max(std::sqrt(gap), ball);
+    return (apart - fraction * along_).norm();
 }
 
 bool MeshGeometry::contains(const Vector3d &point) const
@@ -142,10 +159,10 @@ bool MeshGeometry::contains(const Vector3d &point) const
     };
     int winding = 0;
     descend([&](const Node &node) { return isBelow(node) ? 0.0 : 1.0; }, 0.5,
-            [&](const Triangle &triangle)
+            [&](const Face &face)
             {
-                const int turns = windingAround(point, triangle);
-                if (turns != 0 && isAbove(point, triangle))
+                const int turns = windingAround(point, face.corners);
+                if (turns != 0 && isAbove(point, face.corners))
                     winding += turns;
                 return true;
             });
@@ -156,9 +173,11 @@ Nearness MeshGeometry::nearest(const Vector3d &a, const Vector3d &b) const
 {
     Nearness best{std::numeric_limits<double>::infinity(), 0.0, a, Vector3d::UnitX()};
     const SegmentView segment(a, b);
-    const auto visit = [&](const Triangle &triangle)
+    const auto visit = [&](const Face &face)
     {
-        const Nearness here = nearness(a, b, triangle);
+        if (segment.leastDistance(face) > best.distance)
+            return true;
+        const Nearness here = nearness(a, b, face.corners);
         if (here.distance < best.distance)
             best = here;
         return best.distance > 0.0;

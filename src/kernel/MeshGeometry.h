@@ -36,11 +36,23 @@ public:
     bool visitWithin(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double room, const Visit &visit) const
     {
         const SegmentView segment(a, b);
-        return descend([&](const Node &node) { return segment.leastDistance(node); }, room,
-                       [&](const Triangle &triangle) { return visit(triangle, nearness(a, b, triangle)); });
+        return descend(
+            [&](const Node &node) { return segment.leastDistance(node); }, room,
+            [&](const Face &face)
+            { return segment.leastDistance(face) > room || visit(face.corners, nearness(a, b, face.corners)); });
     }
 
 private:
+    /// A triangle and a ball around it.
+    struct Face
+    {
+        explicit Face(const Triangle &triangle);
+
+        Triangle corners;
+        Eigen::Vector3d center;
+        double radius;
+    };
+
     /// A leaf has triangles; an inner node has the next node and node `second` as its children.
     struct Node
     {
@@ -60,8 +72,12 @@ private:
 
         /// A lower bound of the distance from all in a node's box.
         double leastDistance(const Node &node) const;
+        /// The same of a triangle.
+        double leastDistance(const Face &face) const { return distance(face.center) - face.radius; }
 
     private:
+        double distance(const Eigen::Vector3d &point) const;
+
         Eigen::Vector3d from_, along_, lower_, upper_;
         double inverseSquare_;
     };
@@ -69,7 +85,7 @@ private:
     int build(int begin, int end);
 
     /// Goes through all nodes whose bound(node) is at most `limit`, which may shrink on the way, the smaller bound
-    /// first, and calls visit(triangle) in their leaves while it says true.
+    /// first, and calls visit(face) in their leaves while it says true.
     template <class Bound, class Visit>
     bool descend(const Bound &bound, const double &limit, const Visit &visit) const
     {
@@ -88,7 +104,7 @@ private:
                 continue;
             const Node &node = nodes_[next.node];
             for (int i = node.begin; i < node.end; ++i)
-                if (!visit(triangles_[i]))
+                if (!visit(faces_[i]))
                     return false;
             if (node.begin < node.end)
                 continue;
@@ -101,7 +117,7 @@ private:
         return true;
     }
 
-    std::vector<Triangle> triangles_;
+    std::vector<Face> faces_;
     std::vector<Node> nodes_;
     bool closed_;
 };

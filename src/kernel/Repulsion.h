@@ -9,8 +9,8 @@
 
 namespace narrows
 {
-/// A scalar function W over joint space that is infinite wherever the robot touches an obstacle, and regular where it is
-/// free: what bends a homotopy's curve around obstacles (HPPM-PRA, Eq. 23). Immutable; threads may share one.
+/// A scalar function W over joint space that is infinite wherever the robot touches an obstacle, and regular where it
+/// is free: what bends a homotopy's curve around obstacles (HPPM-PRA, Eq. 23). Immutable; threads may share one.
 class Repulsion
 {
 public:
@@ -19,9 +19,9 @@ public:
     {
         double value = 0.0;
         Eigen::VectorXd gradient;   ///< dW/dq, one entry per joint
-        std::vector<double> poles;  ///< the obstacle functions behind W, always as many in the same order: positive where
-                                    ///< free, 0 on the boundary. A step over which one of them changes sign has jumped
-                                    ///< over a pole
+        std::vector<double> poles;  ///< the obstacle functions behind W, always as many in the same order: positive
+                                    ///< where free, 0 on the boundary. A step over which one of them changes sign has
+                                    ///< jumped over a pole
     };
 
     virtual ~Repulsion() = default;
@@ -37,14 +37,14 @@ struct Surroundings
 {
     double clearance = 0.0;       ///< least distance to anything but joint limits; +infinity if there is nothing
     std::vector<double> weights;  ///< per group: its part of W at strength 1, with continuous poles
-    std::vector<int> sides;       ///< per group: +1 or -1, on which side of its nearest link it lies; 0 where links have
-                                  ///< no sides
-    std::vector<int> pinned;      ///< joints that cannot turn either way, because a link is in a throat, and all that
-                                  ///< hangs on them
+    std::vector<int> sides;   ///< per group: +1 or -1, on which side of its nearest link it lies; 0 where links have
+                              ///< no sides
+    std::vector<int> pinned;  ///< joints that cannot turn either way, because a link is in a throat, and all that
+                              ///< hangs on them
 };
 
-/// What the homotopy planners need to know of a robot among its obstacles. One implementation per kind of robot; whoever
-/// brings a robot of his own implements this.
+/// What the homotopy planners need to know of a robot among its obstacles. One implementation per kind of robot;
+/// whoever brings a robot of his own implements this.
 ///
 /// Poles come in groups that share a strength P (of either sign): one group per obstacle, in the order of the model,
 /// then, where they exist, one for all joint limits ("limits") and one for self-collision ("self").
@@ -58,13 +58,12 @@ public:
     virtual const std::vector<std::string> &groups() const = 0;
     virtual std::size_t obstacleCount() const = 0;
 
-    /// The strength with which a pole of the group bends a curve by about a radian at a distance that is ordinary for the
-    /// robot: what strengths are measured by.
+    /// The strength with which a pole of the group bends a curve by about a radian at a distance that is ordinary for
+    /// the robot: what strengths are measured by.
     virtual double naturalStrength(std::size_t /*group*/) const { return 1.0; }
 
-    /// One pole per link and obstacle, at their exact distance: sum of P / (d^2 - r^2), or the like where a shape has no
-    /// radius (see the implementation). A strength of 0 leaves the group out.
-    /// \param strengths one per group
+    /// One pole per link and obstacle, at their exact distance: sum of P / (d^2 - r^2), or the like where a shape has
+    /// no radius (see the implementation). A strength of 0 leaves the group out. \param strengths one per group
     virtual std::shared_ptr<const Repulsion> continuous(const std::vector<double> &strengths) const = 0;
 
     /// Whether the paper has a function for every obstacle, so that there are points().

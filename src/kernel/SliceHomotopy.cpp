@@ -112,7 +112,8 @@ void SliceHomotopy::evaluate(CurvePoint &point) const
     configuration(point.z, point.w);
     point.residual.resize(k);
     point.jacobian.resize(k, k + 1);
-    point.poles.clear();
+    if (k > 1)
+        point.poles.clear();
     if (!schedule_.held.empty())
         scheduledRate(lambda, scheduled);
     const VectorXd &rate = schedule_.held.empty() ? unitDifference_ : scheduled;
@@ -126,7 +127,7 @@ void SliceHomotopy::evaluate(CurvePoint &point) const
         point.jacobian(i, i) += couplings_[i];
         point.jacobian(i, k) = rate.dot(sample.gradient) + (first - last) / scale_;
         if (k == 1)
-            std::swap(point.poles, sample.poles);  // the sample's are written anew each time
+            std::swap(point.poles, sample.poles);  // no copy: repulsions write them anew each time
         else
             point.poles.insert(point.poles.end(), sample.poles.begin(), sample.poles.end());
     }

@@ -14,8 +14,8 @@ namespace
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// Points of the slice and which of them are neighbours: a grid, and rings about the ends that reach from a tenth of the
-/// grid's spacing down to nothing.
+/// Points of the slice and which of them are neighbours: a grid, and rings about the ends that reach from a tenth of
+/// the grid's spacing down to nothing.
 class SliceGraph
 {
 public:

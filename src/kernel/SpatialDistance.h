@@ -38,10 +38,6 @@ struct ClosestFractions
 ClosestFractions closestFractions(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &c,
                                   const Eigen::Vector3d &d);
 
-/// Squared distance of the segment ab from the box with these corners.
-double squaredDistance(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &lower,
-                       const Eigen::Vector3d &upper);
-
 /// A unit vector perpendicular to `direction` (any unit vector if that is zero).
 Eigen::Vector3d perpendicular(const Eigen::Vector3d &direction);
 }  // namespace narrows

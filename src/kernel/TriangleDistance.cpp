@@ -2,26 +2,13 @@
 #include "kernel/TriangleDistance.h"
 
 #include <cmath>
+#include <limits>
 
 namespace narrows
 {
 namespace
 {
 using Eigen::Vector3d;
-
-/// Of what was looked at so far, the pair of points that is closest.
-struct Pair
-{
-    double squaredDistance;
-    double fraction;
-    Vector3d foot;
-
-    void consider(double square, double at, const Vector3d &there)
-    {
-        if (square < squaredDistance)
-            *this = {square, at, there};
-    }
-};
 
 /// The prism over a triangle, for segments that meet its face.
 class Face
@@ -37,7 +24,6 @@ public:
     bool exists() const { return square_ > 0.0; }
     /// Height times the normal's length.
     double height(const Vector3d &point) const { return normal_.dot(point - triangle_[0]); }
-    double squaredNormal() const { return square_; }
     const Vector3d &normal() const { return normal_; }
 
     /// Whether a point is above the triangle, or so close to that that rounding could hide it.
@@ -66,38 +52,49 @@ Nearness pierced(const Vector3d &a, const Vector3d &b, double fraction, const Ve
     const double depth = (crossing - point).norm();
     return {-depth, end, point, depth > 0.0 ? Vector3d((crossing - point) / depth) : faceNormal};
 }
-}  // namespace
 
-Nearness nearness(const Vector3d &a, const Vector3d &b, const Triangle &triangle)
+/// Where the segment is nearest to an edge.
+Nearness besideEdges(const Vector3d &a, const Vector3d &b, const Triangle &triangle)
 {
-    const Vector3d along = b - a;
-    Pair best{std::numeric_limits<double>::infinity(), 0.0, triangle[0]};
-    const Face face(triangle);
-    if (face.exists())
-    {
-        const double from = face.height(a), to = face.height(b);
-        if ((from <= 0.0) != (to < 0.0) || from * to <= 0.0)
-        {
-            const double fraction = from == to ? 0.0 : from / (from - to);
-            if (face.isUnder(a + fraction * along))
-                return pierced(a, b, fraction, face.normal().normalized());
-        }
-        for (const auto &[end, height, fraction] : {std::make_tuple(a, from, 0.0), std::make_tuple(b, to, 1.0)})
-            if (face.isUnder(end))
-                best.consider(height * height / face.squaredNormal(), fraction,
-                              end - height / face.squaredNormal() * face.normal());
-    }
+    double least = std::numeric_limits<double>::infinity();
+    double fraction = 0.0;
+    Vector3d apart = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)
     {
         const Vector3d &c = triangle[i], &d = triangle[(i + 1) % 3];
         const ClosestFractions closest = closestFractions(a, b, c, d);
-        const Vector3d foot = c + closest.second * (d - c);
-        best.consider((a + closest.first * along - foot).squaredNorm(), closest.first, foot);
+        const Vector3d way = a + closest.first * (b - a) - c - closest.second * (d - c);
+        if (way.squaredNorm() >= least)
+            continue;
+        least = way.squaredNorm();
+        fraction = closest.first;
+        apart = way;
     }
-    const Vector3d point = a + best.fraction * along;
-    const double distance = std::sqrt(best.squaredDistance);
-    Vector3d normal = point - best.foot;
-    normal = normal.squaredNorm() > 0.0 ? normal.normalized() : perpendicular(along);
-    return {distance, best.fraction, point, normal};
+    const double distance = std::sqrt(least);
+    return {distance, fraction, a + fraction * (b - a),
+            distance > 0.0 ? Vector3d(apart / distance) : perpendicular(b - a)};
+}
+}  // namespace
+
+Nearness nearness(const Vector3d &a, const Vector3d &b, const Triangle &triangle)
+{
+    const Face face(triangle);
+    if (!face.exists())
+        return besideEdges(a, b, triangle);
+    const double from = face.height(a), to = face.height(b);
+    if (from <= 0.0 ? to >= 0.0 : to <= 0.0)
+    {
+        const double fraction = from == to ? 0.0 : from / (from - to);
+        if (face.isUnder(a + fraction * (b - a)))
+            return pierced(a, b, fraction, face.normal().normalized());
+        return besideEdges(a, b, triangle);
+    }
+    // On one side of the plane no point of the segment can be nearer than the lower end, if that is above the face.
+    const bool first = std::abs(from) < std::abs(to);
+    const Vector3d &end = first ? a : b;
+    if (!face.isUnder(end))
+        return besideEdges(a, b, triangle);
+    const double length = face.normal().norm(), height = first ? from : to;
+    return {std::abs(height) / length, first ? 0.0 : 1.0, end, std::copysign(1.0 / length, height) * face.normal()};
 }
 }  // namespace narrows

@@ -11,8 +11,8 @@
 namespace narrows
 {
 /// All that decides which homotopy curve is followed between two configurations, in the paper's terms: the constants
-/// a_{k,j} (as directions N_i with couplings c_i; any basis of what is orthogonal to N and D completes them to rows), the
-/// strengths P and, for singular points, their number n.
+/// a_{k,j} (as directions N_i with couplings c_i; any basis of what is orthogonal to N and D completes them to rows),
+/// the strengths P and, for singular points, their number n.
 struct CurveRecipe
 {
     bool continuous = true;      ///< one pole per link and obstacle; else the paper's points

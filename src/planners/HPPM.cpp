@@ -135,7 +135,8 @@ std::vector<std::shared_ptr<const Repulsion>> HPPM::repulsions(const CurveRecipe
 TrackerOptions HPPM::trackerOptions(const CurveRecipe &recipe) const
 {
     TrackerOptions options;
-    options.maxStep = maxStep_ > 0.0 ? maxStep_ : 0.2 * std::sqrt(static_cast<double>(std::max<Eigen::Index>(3, joints())));
+    options.maxStep =
+        maxStep_ > 0.0 ? maxStep_ : 0.2 * std::sqrt(static_cast<double>(std::max<Eigen::Index>(3, joints())));
     options.firstStep = std::min(options.firstStep, options.maxStep);
     options.maxSteps = maxSteps_ > 0 ? maxSteps_ : restarts_ ? 200 : 5000;
     options.endShare = restarts_ ? 3e-3 : 0.0;
@@ -143,7 +144,8 @@ TrackerOptions HPPM::trackerOptions(const CurveRecipe &recipe) const
     return options;
 }
 
-SliceHomotopy HPPM::makeSlice(const CurveRecipe &recipe, const Eigen::VectorXd &start, const Eigen::VectorXd &goal) const
+SliceHomotopy HPPM::makeSlice(const CurveRecipe &recipe, const Eigen::VectorXd &start,
+                              const Eigen::VectorXd &goal) const
 {
     const Eigen::VectorXd &from = recipe.fromGoal ? goal : start;
     const Eigen::VectorXd &to = recipe.fromGoal ? start : goal;
@@ -158,7 +160,8 @@ SliceHomotopy HPPM::slice(const ob::State *start, const ob::State *goal) const
     return makeSlice(recipe, turned(start, {}), turned(goal, recipe.turns));
 }
 
-HPPM::Attempt HPPM::attempt(const CurveRecipe &recipe, const ob::State *goal, const ob::PlannerTerminationCondition &ptc)
+HPPM::Attempt HPPM::attempt(const CurveRecipe &recipe, const ob::State *goal,
+                            const ob::PlannerTerminationCondition &ptc)
 {
     last_ = recipe;
     const SliceHomotopy curve = makeSlice(recipe, start_, turned(goal, recipe.turns));

@@ -28,18 +28,18 @@ namespace narrows
 
    `search=restarts` (the default) finds the homotopy itself: the straight motion, then curves in random slices of joint
    space with balanced strengths (RecipeSampler), until one arrives and is free. recipe() says which one it was.
-   `search=paper` follows the one curve that the parameters describe, once per goal, as the paper does; where it does not
-   reach the goal, reason() says how it ended.
+   `search=paper` follows the one curve that the parameters describe, once per goal, as the paper does; where it does
+   not reach the goal, reason() says how it ended.
    @par External documentation
    G. C. Velez-Lopez et al., A Novel Collision-Free Homotopy Path Planning for Planar Robotic Arms, Sensors 22 (2022)
    4022. docs/hppm.md lists the equations as implemented, the errata, and what is ours.
 
-   Parameters of both searches: `max_step`, `max_steps` of a curve. Of the search for restarts: `tries`, `pole_rows` (rows
-   of W), `goal_candidates`. Of the one curve: `form` (plane: the exact reduction to a slice, adaptive steps; full:
-   hyperspheres of fixed `radius` as printed), `poles` (points, `points_per_link` of them, as printed; or continuous),
-   `repulsion` P, `rows` (the constants a_{k,j}) or `direction` and `strength` (N and c of the slice), `turns`,
-   `traced_from`, `held`, `held_share`, `orientation`, `lambda_min`, `lambda_max`, `max_deviation`. Without rows or
-   direction, rows are the identity matrix.
+   Parameters of both searches: `max_step`, `max_steps` of a curve. Of the search for restarts: `tries`, `pole_rows`
+   (rows of W), `goal_candidates`. Of the one curve: `form` (plane: the exact reduction to a slice, adaptive steps;
+   full: hyperspheres of fixed `radius` as printed), `poles` (points, `points_per_link` of them, as printed; or
+   continuous), `repulsion` P, `rows` (the constants a_{k,j}) or `direction` and `strength` (N and c of the slice),
+   `turns`, `traced_from`, `held`, `held_share`, `orientation`, `lambda_min`, `lambda_max`, `max_deviation`. Without
+   rows or direction, rows are the identity matrix.
 */
 class HPPM : public ModelPlanner
 {
@@ -57,9 +57,8 @@ public:
     /// The curve that solved, or the one that was tried last; empty if the straight motion did.
     std::map<std::string, std::string> recipe() const override;
 
-    /// The slice that search=paper follows its curve in, from `start` to `goal` (from the goal, if traced_from says so),
-    /// and how it follows it.
-    /// \throws std::invalid_argument if there is no such curve: see SliceHomotopy
+    /// The slice that search=paper follows its curve in, from `start` to `goal` (from the goal, if traced_from says
+    /// so), and how it follows it. \throws std::invalid_argument if there is no such curve: see SliceHomotopy
     SliceHomotopy slice(const ob::State *start, const ob::State *goal) const;
     TrackerOptions trackerOptions() const { return trackerOptions(givenRecipe()); }
 

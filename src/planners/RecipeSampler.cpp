@@ -8,12 +8,14 @@ namespace narrows
 {
 namespace
 {
-constexpr double mostAtEnds = 3.0;         // |W| at start and goal, in radians of the slice's direction
-constexpr double weakest = 0.05;           // strengths, in natural ones
+constexpr double mostAtEnds = 3.0;  // |W| at start and goal, in radians of the slice's direction
+constexpr double weakest = 0.05;    // strengths, in natural ones
+constexpr double weakestInSpace = 0.005;
 constexpr double strongest = 1.0;
 constexpr double turnedPart = 0.3;         // of the attempts
 constexpr double heldPart = 0.75;          // of the attempts that could hold joints
 constexpr double sidedPart = 0.5;          // of the attempts: signs by sides instead of chance
+constexpr double equalPart = 0.9;          // of the attempts in space: one sign for all
 constexpr double deviationPerJoint = 5.2;  // radians; grows with the square root of the number of joints
 
 /// Wide enough for a link in the narrowest throat to have both sides in it.
@@ -126,12 +128,17 @@ void RecipeSampler::charge(ompl::RNG &random, CurveRecipe &recipe) const
     const std::size_t groups = model_->groups().size();
     const std::vector<int> &sides = (atGoal_.clearance < atStart_.clearance ? atGoal_ : atStart_).sides;
     recipe.strengths = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(groups));
-    const double share = std::exp(random.uniformReal(std::log(weakest), std::log(strongest)));
-    const bool bySides = random.uniform01() < sidedPart;
+    // Links in space have no sides: curves pass obstacles on any side, so that poles of one sign, which do not cancel
+    // each other, do best; and they pass through rings, which takes weak ones.
+    const bool planar = std::any_of(sides.begin(), sides.end(), [](int side) { return side != 0; });
+    const double least = planar ? weakest : weakestInSpace;
+    const double share = std::exp(random.uniformReal(std::log(least), std::log(strongest)));
+    const bool byRule = random.uniform01() < (planar ? sidedPart : equalPart);
     const int mirror = random.uniformBool() ? 1 : -1;
     for (std::size_t i = 0; i < groups; ++i)
     {
-        const int side = bySides && sides[i] != 0 ? mirror * sides[i] : (random.uniformBool() ? 1 : -1);
+        const int chance = random.uniformBool() ? 1 : -1;
+        const int side = byRule ? mirror * (sides[i] != 0 ? sides[i] : 1) : chance;
         const int row = rows_ == 1 ? 0 : random.uniformInt(0, rows_ - 1);
         recipe.strengths(row, static_cast<Eigen::Index>(i)) = side * share * model_->naturalStrength(i);
     }

@@ -150,12 +150,14 @@ SpatialRobotDraft readSpatialRobot(const Field &field)
     const std::size_t faultsBefore = field.faults().count();
     const Mapping robot(field);
     const Field joints = robot.optional("joints");
-    const std::string word = joints.oneOf({"universal", "dh"}).value_or(joints.given() ? "" : "universal");
-    draft.universal = word == "universal";
+    const std::optional<std::string> word = joints.given() ? joints.oneOf({"universal", "dh"}) : "universal";
     draft.selfCollision = robot.optional("self_collision").flag().value_or(false);
-    if (draft.universal)
+    if (!word)
+        return draft;
+    draft.universal = word == "universal";
+    if (*draft.universal)
         readUniversal(robot, faultsBefore, draft);
-    else if (word == "dh")
+    else
         readDenavitHartenberg(robot, faultsBefore, draft);
     return draft;
 }

@@ -12,8 +12,8 @@ namespace narrows
 /// What the file says of a robot of kind spatial_arm, as far as it could be understood.
 struct SpatialRobotDraft
 {
-    int entryCount = 0;     ///< entries of `links`, sound or not
-    bool universal = true;  ///< two joint values per entry, pitch and yaw; else one
+    int entryCount = 0;             ///< entries of `links`, sound or not
+    std::optional<bool> universal;  ///< two joint values per entry, pitch and yaw; else one; nothing if it is unclear
     bool hasSlide = false;
     bool selfCollision = false;
     std::optional<SpatialArm> arm;  ///< only if nothing is wrong with the robot

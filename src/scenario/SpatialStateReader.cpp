@@ -44,7 +44,7 @@ std::vector<double> readEntry(const Field &item, bool universal)
 void checkLimits(const Field &item, int entry, const Eigen::VectorXd &q, const SpatialRobotDraft &robot)
 {
     const SpatialArm &arm = *robot.arm;
-    if (!robot.universal)
+    if (!*robot.universal)
     {
         const std::optional<Interval> &limit = arm.joints()[static_cast<std::size_t>(entry)].limits;
         if (limit && !(q[entry] >= limit->lower && q[entry] <= limit->upper))
@@ -65,6 +65,8 @@ void checkLimits(const Field &item, int entry, const Eigen::VectorXd &q, const S
 
 std::optional<Eigen::VectorXd> readJoints(const Field &field, double slide, const SpatialRobotDraft &robot)
 {
+    if (!robot.universal)
+        return std::nullopt;
     const std::vector<Field> items = field.items(1, mostEntries);
     std::vector<double> values;
     if (robot.hasSlide)
@@ -72,7 +74,7 @@ std::optional<Eigen::VectorXd> readJoints(const Field &field, double slide, cons
     bool sound = !items.empty();
     for (const Field &item : items)
     {
-        const std::vector<double> entry = readEntry(item, robot.universal);
+        const std::vector<double> entry = readEntry(item, *robot.universal);
         sound = sound && !entry.empty();
         values.insert(values.end(), entry.begin(), entry.end());
     }

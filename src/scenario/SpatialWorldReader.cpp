@@ -27,7 +27,8 @@ void keepMeshes(const Mapping &root, const MeshFiles &meshes, Scenario &scenario
     }
     catch (const InputError &)
     {
-        root.field().fault("a file that names a mesh must not be a mapping in braces: the mesh is kept with its text, under `files`");
+        root.field().fault(
+            "a file that names a mesh must not be a mapping in braces: the mesh is kept with its text, under `files`");
     }
 }
 }  // namespace

@@ -8,33 +8,14 @@ namespace narrows::proof
 {
 namespace
 {
-constexpr double leastTravel = 1e-12;  // of the arm's reach: an interval that moves less is not halved
-constexpr double relativeGap = 1e-4;   // of the clearance: a wider gap would cost halvings, a narrower one steps
+constexpr double leastTravel = 1e-12;            // of the arm's reach: an interval that moves less is not halved
 constexpr std::size_t maxOpenPairs = 1'000'000;  // bounds time and memory on paths that can hardly be certified
-
-template <int Dim>
-Point<Dim> middleOf(const MovingSegment<Dim> &link)
-{
-    return 0.5 * (link.from.position + link.to.position);
-}
 }  // namespace
 
 template <class Model>
 PathProof<Model>::PathProof(const Model &model, const std::vector<Eigen::VectorXd> &path, double clearanceTolerance)
-  : model_(model), path_(path), tolerance_(clearanceTolerance), motion_(model.arm)
+  : model_(model), path_(path), pairs_(model, path, clearanceTolerance)
 {
-    double extent = motion_.extent(path);
-    parts_ = partsOf(model.obstacles, extent);
-    for (const Part<Dim> &part : parts_.all)
-        extent = std::max(extent, part.set.center.norm() + part.set.boundingRadius + part.set.inflation);
-    rounding_ = motion_.rounding(extent);
-    motion_.place(path.front(), path.front(), 0.0);
-    for (int link = 0; link < motion_.linkCount(); ++link)
-        halfLengths_.push_back((motion_.link(link).to.position - middleOf(motion_.link(link))).norm());
-    for (int second = 1; model.selfCollision && second < motion_.linkCount(); ++second)
-        for (int first = 0; first < second; ++first)
-            if (!motion_.areNeighbours(first, second))
-                linkPairs_.emplace_back(first, second);
 }
 
 template <class Model>
@@ -43,7 +24,7 @@ Verdict PathProof<Model>::run()
     if (checkEnclosure() && visitWaypoints() && visitSegments())
     {
         verdict_.accepted = true;
-        verdict_.clearance = settled_;
+        verdict_.clearance = pairs_.settled();
     }
     return verdict_;
 }
@@ -53,20 +34,7 @@ void PathProof<Model>::place(const Interval &interval)
 {
     ++verdict_.placements;
     const std::size_t from = static_cast<std::size_t>(interval.segment);
-    motion_.place(path_[from], path_[std::min(from + 1, path_.size() - 1)], interval.center);
-}
-
-template <class Model>
-std::vector<typename PathProof<Model>::Pair> PathProof<Model>::allPairs() const
-{
-    std::vector<Pair> pairs;
-    pairs.reserve(parts_.outermost.size() * static_cast<std::size_t>(motion_.linkCount()) + linkPairs_.size());
-    for (int link = 0; link < motion_.linkCount(); ++link)
-        for (const int part : parts_.outermost)
-            pairs.push_back({link, part, none});
-    for (const auto &[first, second] : linkPairs_)
-        pairs.push_back({second, none, first});
-    return pairs;
+    pairs_.place(path_[from], path_[std::min(from + 1, path_.size() - 1)], interval.center);
 }
 
 /// A link that meets no boundary stays inside or outside of a polygon or closed mesh, with all its points.
@@ -75,10 +43,16 @@ bool PathProof<Model>::checkEnclosure()
 {
     const Interval start{0, 0.0, 0.0, {}};
     place(start);
-    for (int link = 0; link < motion_.linkCount(); ++link)
-        for (const int part : parts_.outermost)
-            if (encloses(model_.obstacles[parts_.all[part].obstacle], motion_.link(link).from.position))
-                return refuse("collision", start, {link, part, none});
+    const auto &parts = pairs_.parts().all;
+    for (std::size_t i = 0; i < model_.obstacles.size(); ++i)
+        for (int link = 0; link < pairs_.motion().linkCount(); ++link)
+            if (encloses(model_.obstacles[i], pairs_.motion().link(link).from.position))
+            {
+                const auto itsPart = std::find_if(
+                    parts.begin(), parts.end(), [i](const auto &part) { return part.obstacle == static_cast<int>(i); });
+                return refuse("collision", start,
+                              {link, static_cast<int>(itsPart - parts.begin()), PairProof<Model>::none});
+            }
     return true;
 }
 
@@ -92,7 +66,7 @@ bool PathProof<Model>::visitWaypoints()
         const bool isEnd = i > 0 && i + 1 == path_.size();
         const Interval waypoint{static_cast<int>(isEnd ? i - 1 : i), isEnd ? 1.0 : 0.0, 0.0, {}};
         place(waypoint);
-        for (Pair &pair : allPairs())
+        for (Pair &pair : pairs_.allPairs())
             if (!visit(waypoint, pair, touchedNearly))
                 return false;
     }
@@ -108,7 +82,7 @@ bool PathProof<Model>::visitSegments()
     {
         Interval segment{static_cast<int>(i), 0.5, 0.5, {}};
         place(segment);
-        segment.open = allPairs();
+        segment.open = pairs_.allPairs();
         if (!visit(segment, halves))
             return false;
     }
@@ -139,7 +113,7 @@ bool PathProof<Model>::visit(Interval &interval, std::vector<Interval> &halves)
         return true;
     double furthest = 0.0;
     for (const Pair &pair : open)
-        furthest = std::max(furthest, travel(pair, interval.half));
+        furthest = std::max(furthest, pairs_.travel(pair, interval.half));
     openPairs_ += 2 * open.size();
     if (furthest <= leastTravel * model_.arm.reach() || openPairs_ > maxOpenPairs)
         return refuse("not_certified", interval, open.front());
@@ -153,7 +127,7 @@ bool PathProof<Model>::visit(Interval &interval, std::vector<Interval> &halves)
 template <class Model>
 bool PathProof<Model>::visit(const Interval &interval, Pair &pair, std::vector<Pair> &open)
 {
-    switch (examine(pair, interval.half))
+    switch (pairs_.examine(pair, interval.half))
     {
         case Finding::Settled:
             return true;
@@ -161,174 +135,13 @@ bool PathProof<Model>::visit(const Interval &interval, Pair &pair, std::vector<P
             open.push_back(pair);
             return true;
         case Finding::Splitting:
-            return visitHalves(interval, pair, open);
+            for (Pair &inside : pairs_.split(pair))
+                if (!visit(interval, inside, open))
+                    return false;
+            return true;
         default:
-            return refuse(pair.part == none ? "self_collision" : "collision", interval, pair);
+            return refuse(pair.part == PairProof<Model>::none ? "self_collision" : "collision", interval, pair);
     }
-}
-
-/// Visits what a box is around, beginning with what is nearer: it spares the other most of the work.
-template <class Model>
-bool PathProof<Model>::visitHalves(const Interval &interval, const Pair &box, std::vector<Pair> &open)
-{
-    const Point<Dim> middle = middleOf(motion_.link(box.link));
-    int nearer = parts_.all[box.part].firstInBox, farther = parts_.all[box.part].secondInBox;
-    if ((parts_.all[farther].set.center - middle).squaredNorm() <
-        (parts_.all[nearer].set.center - middle).squaredNorm())
-        std::swap(nearer, farther);
-    Pair first{box.link, nearer, none}, second{box.link, farther, none};
-    return visit(interval, first, open) && visit(interval, second, open);
-}
-
-template <class Model>
-typename PathProof<Model>::Finding PathProof<Model>::examine(Pair &pair, double half)
-{
-    const Ball other = ballAround(pair);
-    const Point<Dim> away = middleOf(motion_.link(pair.link)) - other.center;
-    const double distance = away.norm();
-    if (settles(distance - halfLengths_[pair.link] - other.radius - thickness(pair) - travel(pair, half) - rounding_))
-        return Finding::Settled;
-    if (pair.direction.isZero(0.0))
-        pair.direction = distance > 0.0 ? Point<Dim>(away / distance) : Point<Dim>(Point<Dim>::UnitX());
-    if (settlesAlong(pair, half))
-        return Finding::Settled;
-    const Separation<Dim> found = separation(pair, half);
-    pair.direction = found.direction;
-    const bool isBox = pair.part != none && parts_.all[pair.part].isBox();
-    if (!isBox)  // a box may be met without harm
-    {
-        const double clearance = found.upper - thickness(pair);
-        least_ = std::min(least_, clearance);
-        if (clearance <= 0.0)
-            return Finding::Overlapping;
-    }
-    if (settlesAlong(pair, half))
-        return Finding::Settled;
-    const double now = found.lower - thickness(pair) - rounding_;
-    if (isEnough(now - bendingWay(pair, half)) && settlesTurning(pair, half))
-        return Finding::Settled;
-    return isBox && parts_.all[pair.part].set.boundingRadius >= travel(pair, half) ? Finding::Splitting : Finding::Open;
-}
-
-template <class Model>
-Separation<PathProof<Model>::Dim> PathProof<Model>::separation(const Pair &pair, double half) const
-{
-    SeparationGoal goal;
-    goal.thickness = thickness(pair);
-    goal.enough = least_ + goal.thickness + rounding_ + travel(pair, half);
-    goal.relativeGap = relativeGap;
-    goal.absoluteGap = 0.25 * tolerance_;
-    goal.rounding = 0.25 * rounding_;
-    const Segment<Dim> link = motion_.link(pair.link).now();
-    return pair.part == none ? separate<Dim>(motion_.link(pair.secondLink).now(), link, pair.direction, goal)
-                             : separate<Dim>(parts_.all[pair.part].set, link, pair.direction, goal);
-}
-
-/// Whether a lower bound of a pair's clearance makes further work on it idle: it is free, and cannot lower the path's
-/// clearance by more than the tolerance.
-template <class Model>
-bool PathProof<Model>::isEnough(double clearance) const
-{
-    return clearance > 0.0 && clearance >= least_ - tolerance_;
-}
-
-template <class Model>
-bool PathProof<Model>::settles(double clearance)
-{
-    if (!isEnough(clearance))
-        return false;
-    settled_ = std::min(settled_, clearance);
-    return true;
-}
-
-/// Of both sides together, around the segments and cores.
-template <class Model>
-double PathProof<Model>::thickness(const Pair &pair) const
-{
-    return motion_.radius(pair.link) +
-           (pair.part == none ? motion_.radius(pair.secondLink) : parts_.all[pair.part].set.inflation);
-}
-
-/// How far the two sides can move against each other at most.
-template <class Model>
-double PathProof<Model>::travel(const Pair &pair, double half) const
-{
-    const double second = pair.part == none ? motion_.link(pair.secondLink).to.travel : 0.0;
-    return (motion_.link(pair.link).to.travel + second) * half;
-}
-
-/// What no turning line or plane can make up for: the way by acceleration.
-template <class Model>
-double PathProof<Model>::bendingWay(const Pair &pair, double half) const
-{
-    const double second = pair.part == none ? motion_.link(pair.secondLink).to.bend : 0.0;
-    return 0.5 * (motion_.link(pair.link).to.bend + second) * half * half;
-}
-
-/// What the link shall keep away from is in this ball, its inflation left out.
-template <class Model>
-typename PathProof<Model>::Ball PathProof<Model>::ballAround(const Pair &pair) const
-{
-    if (pair.part == none)
-        return {middleOf(motion_.link(pair.secondLink)), halfLengths_[pair.secondLink]};
-    const ConvexSet<Dim> &set = parts_.all[pair.part].set;
-    return {set.center, set.boundingRadius};
-}
-
-/// By the line or plane that the pair was last separated by, at rest.
-template <class Model>
-bool PathProof<Model>::settlesAlong(const Pair &pair, double half)
-{
-    double apart = 0.0;
-    if (pair.part == none)
-    {
-        const MovingPair<Dim> links = motion_.between(pair.secondLink, pair.link);
-        apart = keptApart<Dim>({pair.direction}, links.second, links.first, half);
-    }
-    else
-        apart = keptApart<Dim>({pair.direction}, motion_.link(pair.link), parts_.all[pair.part].set, half);
-    return settles(apart - thickness(pair) - rounding_);
-}
-
-/// By the same, turning with what it separates: far better where something glides along a link.
-template <class Model>
-bool PathProof<Model>::settlesTurning(const Pair &pair, double half)
-{
-    return pair.part == none ? settlesBetweenLinks(pair, half) : settlesBesidePart(pair, half);
-}
-
-template <class Model>
-bool PathProof<Model>::settlesBetweenLinks(const Pair &pair, double half)
-{
-    const MovingPair<Dim> links = motion_.between(pair.secondLink, pair.link);
-    const auto settlesBy = [&](const std::optional<TurningPlane<Dim>> &plane)
-    {
-        return plane && settles(keptApart<Dim>(*plane, links.second, links.first, half) - thickness(pair) - rounding_);
-    };
-    const TurningPlane<Dim> atRest{pair.direction};
-    const std::optional<TurningPlane<Dim>> withFirst = atRest.following(links.first);
-    if (settlesBy(withFirst) || settlesBy(atRest.following(links.second)))
-        return true;
-    if constexpr (Dim == 3)
-        return withFirst && settlesBy(followingBoth(*withFirst, links.first, links.second));
-    return false;
-}
-
-template <class Model>
-bool PathProof<Model>::settlesBesidePart(const Pair &pair, double half)
-{
-    const MovingSegment<Dim> &link = motion_.link(pair.link);
-    const ConvexSet<Dim> &set = parts_.all[pair.part].set;
-    const auto settlesBy = [&](const std::optional<TurningPlane<Dim>> &plane)
-    {
-        return plane && settles(keptApart<Dim>(*plane, link, set, half) - thickness(pair) - rounding_);
-    };
-    const std::optional<TurningPlane<Dim>> withLink = TurningPlane<Dim>{pair.direction}.following(link);
-    if (settlesBy(withLink))
-        return true;
-    if constexpr (Dim == 3)
-        return withLink && settlesBy(followingBoth(*withLink, link, edgeAt(*withLink, set, half)));
-    return false;
 }
 
 template <class Model>
@@ -339,8 +152,8 @@ bool PathProof<Model>::refuse(const char *reason, const Interval &interval, cons
     verdict_.fraction = interval.center;
     verdict_.link = pair.link;
     verdict_.otherLink = pair.secondLink;
-    if (pair.part != none)
-        verdict_.obstacle = model_.obstacles[parts_.all[pair.part].obstacle].name;
+    if (pair.part != PairProof<Model>::none)
+        verdict_.obstacle = model_.obstacles[pairs_.parts().all[pair.part].obstacle].name;
     return false;
 }
 

@@ -6,7 +6,7 @@ from draw_spatial import clipped
 from mesh_file import read_faces
 from numpy.testing import assert_allclose
 from scene import read_scene
-from spatial_scene import SIDES
+from surfaces import SIDES
 
 MESHES = ROOT / "tests" / "data" / "meshes"
 
