@@ -19,6 +19,7 @@ TEST(MeshGeometry, MeshedBoxIsAsFarAwayAsTheBox)
     {
         const Box box = randomBox(generator);
         const MeshGeometry mesh(boxMesh(box, 1 + scene % 4));
+        int guess = 1000000;
         for (int trial = 0; trial < 50; ++trial)
         {
             const Vector3d a = randomPoint(trial % 2 == 0 ? 1.5 : 0.7, generator);
@@ -28,6 +29,9 @@ TEST(MeshGeometry, MeshedBoxIsAsFarAwayAsTheBox)
             if (std::abs(solid.distance) < 1e-12)
                 continue;
             ASSERT_EQ(near.distance > 0.0, solid.distance > 0.0) << solid.distance;
+            const Nearness guessed = mesh.nearest(a, b, &guess);
+            ASSERT_EQ(guessed.distance, near.distance);
+            ASSERT_EQ(guessed.point, near.point);
             const double room = 0.2 * trial / 50.0;
             ASSERT_EQ(mesh.keepsAway(a, b, room), solid.distance > room);
             if (solid.distance > 0.0)

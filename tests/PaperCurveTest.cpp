@@ -182,6 +182,24 @@ TEST(PaperCurve, RowsAndDirectionAreTwoWaysToTheSameHomotopy)
     EXPECT_EQ(full.steps, 146);
 }
 
+// Thin poles of one sign: the curve keeps within 1e-6 of the walls on its way to another root. The tracker once got
+// lost there, because the error that a long step leaves is long for the short one after it.
+TEST(PaperCurve, AThinPoleIsFollowedAlongTheWall)
+{
+    for (const double repulsion : {1e-6, 1e-7, 1e-8})
+    {
+        const PaperRecipe recipe = paperRecipe(1, {repulsion, repulsion});
+        const Trace trace = track(recipe.slice);
+        EXPECT_EQ(trace.status, TraceStatus::WrongRoot) << repulsion;
+        TrackerOptions fine;
+        fine.maxStep = 0.01;
+        fine.tolerance = 1e-4;
+        const Trace truth = track(recipe.slice, fine);
+        EXPECT_EQ(truth.status, TraceStatus::WrongRoot) << repulsion;
+        EXPECT_LE((trace.configurations.back() - truth.configurations.back()).norm(), 5e-3) << repulsion;
+    }
+}
+
 TEST(Trackers, StopWhenAsked)
 {
     const PaperRecipe recipe = paperRecipe(1);

@@ -169,24 +169,33 @@ bool MeshGeometry::contains(const Vector3d &point) const
     return winding != 0;
 }
 
-Nearness MeshGeometry::nearest(const Vector3d &a, const Vector3d &b) const
+Nearness MeshGeometry::nearest(const Vector3d &a, const Vector3d &b, int *guess) const
 {
     Nearness best{std::numeric_limits<double>::infinity(), 0.0, a, Vector3d::UnitX()};
+    std::size_t index = faces_.size();
+    double limit = best.distance;
     const SegmentView segment(a, b);
     const auto visit = [&](const Face &face)
     {
-        if (segment.leastDistance(face) > best.distance)
+        const std::size_t number = static_cast<std::size_t>(&face - faces_.data());
+        if (number == index || segment.leastDistance(face) > limit)
             return true;
         const Nearness here = nearness(a, b, face.corners);
-        if (here.distance < best.distance)
+        // Among equals the first, so that the answer does not depend on the guess.
+        if (here.distance < best.distance || (here.distance == best.distance && number < index))
+        {
             best = here;
-        return best.distance > 0.0;
+            index = number;
+            limit = std::max(best.distance, 0.0);
+        }
+        return true;
     };
-    const auto bound = [&](const Node &node)
-    {
-        return segment.leastDistance(node);
-    };
-    if (descend(bound, best.distance, visit) && contains(a))
+    if (guess != nullptr && *guess >= 0 && *guess < static_cast<int>(faces_.size()))
+        visit(faces_[*guess]);
+    descend([&](const Node &node) { return segment.leastDistance(node); }, limit, visit);
+    if (guess != nullptr)
+        *guess = static_cast<int>(index);
+    if (best.distance > 0.0 && contains(a))
     {
         best.distance = -best.distance;
         best.normal = -best.normal;

@@ -25,7 +25,9 @@ public:
 
     /// How a segment lies to the mesh. Inside a closed mesh, or through a surface, the distance is negative, but its
     /// size only means that contact is near where it is small.
-    Nearness nearest(const Eigen::Vector3d &a, const Eigen::Vector3d &b) const;
+    /// \param guess a triangle that may be the nearest one (any number will do); becomes the nearest one. Who asks
+    /// about one place after the other gets answers sooner with the last guess; they are the same.
+    Nearness nearest(const Eigen::Vector3d &a, const Eigen::Vector3d &b, int *guess = nullptr) const;
 
     /// Whether nothing of the mesh is within `room` (>= 0) of the segment.
     bool keepsAway(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double room) const;

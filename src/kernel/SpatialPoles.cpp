@@ -50,8 +50,10 @@ struct NearnessTo
 };
 }  // namespace
 
-SpatialTerm SpatialPole::smoothClearance(const Vector3d &a, const Vector3d &b, double linkRadius) const
+SpatialTerm SpatialPole::smoothClearance(const Vector3d &a, const Vector3d &b, double linkRadius, int &guess) const
 {
+    if (const auto *mesh = std::get_if<MeshGeometry>(&shape))
+        return clearanceOf(mesh->nearest(a, b, &guess), linkRadius);
     if (const auto *box = std::get_if<BoxPole>(&shape))
         return box->clearance(a, b, linkRadius);
     return clearance(a, b, linkRadius);

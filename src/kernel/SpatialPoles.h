@@ -17,7 +17,9 @@ struct SpatialPole
     double size;  ///< 2 R, see SpatialRepulsionModel.h
 
     /// The clearance that its pole is a function of.
-    SpatialTerm smoothClearance(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double linkRadius) const;
+    /// \param guess as for MeshGeometry::nearest
+    SpatialTerm smoothClearance(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double linkRadius,
+                                int &guess) const;
     /// The exact one, negative where they touch.
     SpatialTerm clearance(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double linkRadius) const;
 };

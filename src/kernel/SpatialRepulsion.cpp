@@ -12,6 +12,7 @@ struct SpatialRepulsion::Workspace
 {
     SpatialArm::Placement placement;
     std::vector<EndForces> forces;
+    std::vector<int> guesses;  ///< per obstacle and link, from the last evaluation of whatever repulsion
 };
 
 SpatialRepulsion::SpatialRepulsion(std::shared_ptr<const SpatialPoles> poles, const std::vector<double> &strengths)
@@ -49,13 +50,15 @@ void SpatialRepulsion::evaluate(const Eigen::Ref<const Eigen::VectorXd> &q, Samp
 void SpatialRepulsion::addObstacles(Workspace &work, Sample &sample) const
 {
     const std::vector<SpatialLink> &links = poles_->arm().links();
+    work.guesses.resize(sources_.size() * links.size(), -1);
+    auto guess = work.guesses.begin();
     for (const Source &source : sources_)
         for (std::size_t i = 0; i < links.size(); ++i)
         {
             const double radius = links[i].radius;
             const double size = source.pole->size + 2.0 * radius;
-            const SpatialTerm clearance =
-                source.pole->smoothClearance(work.placement.points[2 * i], work.placement.points[2 * i + 1], radius);
+            const SpatialTerm clearance = source.pole->smoothClearance(
+                work.placement.points[2 * i], work.placement.points[2 * i + 1], radius, *guess++);
             const double pole = poleOf(clearance.value, size);
             const double share = source.strength / pole;
             sample.value += share;

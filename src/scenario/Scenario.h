@@ -65,8 +65,8 @@ struct Scenario
 /// Values for the parameters of a family, by name, that replace those of the file's `generate`.
 using GenerateSettings = std::vector<std::pair<std::string, std::string>>;
 
-/// \throws InputError with all faults of the file, including a start or goal in collision or out of limits, and settings
-/// that the file's family does not take.
+/// \throws InputError with all faults of the file, including a start or goal in collision or out of limits, and
+/// settings that the file's family does not take.
 Scenario readScenario(const std::string &path, const GenerateSettings &settings = {});
 
 /// The same for text that is already in memory; `file` is what error messages call it.

@@ -33,6 +33,8 @@ class FclSegment
 public:
     FclSegment(const Eigen::Vector3d &a, const Eigen::Vector3d &b);
 
+    const Eigen::Vector3d &end() const { return a_; }
+
     /// No greater than the distance to the solid.
     double boxDistance(const FclSolid &solid) const;
 

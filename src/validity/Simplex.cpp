@@ -2,6 +2,7 @@
 #include "validity/Simplex.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace narrows::proof
 {
@@ -9,8 +10,8 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double flat =
-    1e-28;  // a relative height squared; flatter triangles and tetrahedra are made of rounding errors
+constexpr double flat = 1e-28;      // a triangle's relative height squared; flatter ones are taken for segments
+constexpr double rounding = 1e-15;  // of a point, relative to its distance from the origin
 
 Vector3d withoutComponent(const Vector3d &vector, const Vector3d &unit)
 {
@@ -56,18 +57,22 @@ bool Simplex<3>::extend(const Vector3d &added)
     return true;
 }
 
-/// Whether the origin is on the inner side of all four faces.
+/// Whether the origin is on the inner side of all four faces, beyond doubt: on round sets, corners may be so close
+/// together that a face's normal is made of rounding errors.
 bool Simplex<3>::encloseOrigin(const Vector3d &added) const
 {
     const std::array<const Vector3d *, 4> corners{&points_[0], &points_[1], &points_[2], &added};
-    const double size = added.squaredNorm();
+    double size = 0.0;
+    for (const Vector3d *corner : corners)
+        size = std::max(size, corner->squaredNorm());
     for (int i = 0; i < 4; ++i)
     {
         const Vector3d &opposite = *corners[i];
         const Vector3d &a = *corners[(i + 1) % 4], &b = *corners[(i + 2) % 4], &c = *corners[(i + 3) % 4];
-        const Vector3d normal = (b - a).cross(c - a);
-        const double height = normal.dot(a - opposite);
-        if (!(normal.dot(a) * height > 0.0) || height * height <= flat * size * normal.squaredNorm())
+        const Vector3d ab = b - a, ac = c - a, normal = ab.cross(ac);
+        const double doubt = rounding * size * std::sqrt(std::max(ab.squaredNorm(), ac.squaredNorm()));
+        const double toOrigin = -normal.dot(a), toOpposite = normal.dot(opposite - a);
+        if (!(toOrigin * toOpposite > 0.0) || std::abs(toOrigin) <= doubt || std::abs(toOpposite) <= doubt)
             return false;
     }
     return true;
