@@ -108,6 +108,32 @@ TEST(SpatialSeparation, StaysSharpNextToContact)
     }
 }
 
+/// A support function that comes out too small would let a link into the obstacle. Rounding errors are at their worst
+/// where the direction is nearly along the axis.
+TEST(SpatialSeparation, KnowsTheEndsOfCylinders)
+{
+    std::mt19937 generator(19);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const auto unit = [&]
+    {
+        return Vector3d(Vector3d::NullaryExpr([&] { return uniform(generator); }).normalized());
+    };
+    for (int trial = 0; trial < 4000; ++trial)
+    {
+        const Cylinder cylinder{unit(), unit(), 0.5, 0.4};
+        const double angle = std::pow(10.0, -9.0 + 9.0 * uniform(generator));
+        const Vector3d u =
+            (Eigen::AngleAxisd(angle, cylinder.axis.unitOrthogonal()) * cylinder.axis * (trial % 2 == 0 ? 1 : -1))
+                .normalized();
+        const Vector3d point = supportPoint<3>({cylinder, 0.0, cylinder.center, 1.0}, u);
+        const double greatest =
+            cylinder.center.dot(u) + 0.4 * std::abs(cylinder.axis.dot(u)) + 0.5 * cylinder.axis.cross(u).norm();
+        EXPECT_NEAR(point.dot(u), greatest, 1e-15) << "seed 19, trial " << trial << ", angle " << angle;
+        EXPECT_LE(std::abs((point - cylinder.center).dot(cylinder.axis)), 0.4 + 1e-15);
+        EXPECT_LE((point - cylinder.center).cross(cylinder.axis).norm(), 0.5 + 1e-15);
+    }
+}
+
 /// The distance of two convex sets is the minimum over a grid on both, but for the grid's meshes, and never more.
 TEST(SpatialSeparation, AgreesWithBruteForce)
 {

@@ -126,9 +126,6 @@ private:
     double reach_ = 0.0;
 };
 
-/// areNeighbours() of all pairs of links, row by row. \param atZero the arm placed at zero
-std::vector<bool> findNeighbours(const SpatialArm &arm, const SpatialArm::Placement &atZero);
-
 /// A snake: n links of universal joints, each turning about its own y axis (pitch) and then z axis (yaw), stretched
 /// along x at zero; joint values are [slide,] pitch 1, yaw 1, pitch 2, yaw 2, ... (VDSM; tight maneuvering). \param
 /// slide limits and direction (unit) of a base that moves along a line, if there is one \param maxAngle largest bend of

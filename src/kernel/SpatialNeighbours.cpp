@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cmath>
+#include "kernel/SpatialNeighbours.h"
 
-#include "kernel/SpatialArm.h"
+#include <algorithm>
+
+#include "kernel/SpatialDistance.h"
 
 namespace narrows
 {
@@ -99,14 +100,6 @@ private:
     Vector3d origin_, axis_;
 };
 
-double distance(const Vector3d &a, const Vector3d &b, const Vector3d &point)
-{
-    const Vector3d along = b - a;
-    const double square = along.squaredNorm();
-    const double t = square > 0.0 ? std::clamp(along.dot(point - a) / square, 0.0, 1.0) : 0.0;
-    return (point - a - t * along).norm();
-}
-
 /// Joints that leave a common point in place leave it there at every configuration, so that looking at one is enough.
 bool meet(const SpatialArm &arm, const SpatialArm::Placement &atZero, int one, int other)
 {
@@ -123,7 +116,8 @@ bool meet(const SpatialArm &arm, const SpatialArm::Placement &atZero, int one, i
         return false;
     const auto outside = [&](int link, const Vector3d &point)
     {
-        return distance(atZero.points[2 * link], atZero.points[2 * link + 1], point) - arm.links()[link].radius;
+        return nearness(atZero.points[2 * link], atZero.points[2 * link + 1], Sphere{point, arm.links()[link].radius})
+            .distance;
     };
     const auto excess = [&](const Vector3d &point)
     {

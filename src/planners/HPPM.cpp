@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <ompl/base/goals/GoalSampleableRegion.h>
+#include <boost/math/constants/constants.hpp>
 
 #include "kernel/FullHomotopy.h"
 #include "planners/NumberList.h"
@@ -87,11 +88,10 @@ ob::PlannerStatus HPPM::succeed()
 
 Eigen::VectorXd HPPM::turned(const ob::State *goal, const Eigen::VectorXi &turns) const
 {
-    constexpr double fullTurn = 2.0 * 3.14159265358979323846;
     ob::ScopedState<> state(si_);
     si_->copyState(state.get(), goal);
     for (Eigen::Index j = 0; j < turns.size(); ++j)
-        state->as<ob::RealVectorStateSpace::StateType>()->values[j] += fullTurn * turns[j];
+        state->as<ob::RealVectorStateSpace::StateType>()->values[j] += boost::math::double_constants::two_pi * turns[j];
     Eigen::VectorXd q;
     space_->toConfiguration(state.get(), q);
     return q;

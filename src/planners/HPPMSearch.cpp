@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <boost/math/constants/constants.hpp>
+
 #include "planners/HPPM.h"
 
 namespace narrows
@@ -44,7 +46,6 @@ bool HPPM::takeTargets(const ob::PlannerTerminationCondition &ptc)
 
 HPPM::Target HPPM::makeTarget(const ob::State *goal) const
 {
-    constexpr double fullTurn = 2.0 * 3.14159265358979323846;
     Target target{ob::ScopedState<>(si_), si_->distance(startState_.get(), goal), {}, std::nullopt};
     si_->copyState(target.state.get(), goal);
     target.ends.start = start_;
@@ -54,7 +55,8 @@ HPPM::Target HPPM::makeTarget(const ob::State *goal) const
     for (int j = 0; j < static_cast<int>(joints()); ++j)
         if (space_->wraps(static_cast<unsigned int>(j)))
         {
-            target.ends.turns[j] = static_cast<int>(std::round((from[j] - to[j]) / fullTurn));
+            target.ends.turns[j] =
+                static_cast<int>(std::round((from[j] - to[j]) / boost::math::double_constants::two_pi));
             target.ends.turnable.push_back(j);
         }
     target.ends.goal = turned(goal, target.ends.turns);

@@ -68,15 +68,18 @@ inline Eigen::Vector3d furthestOf(const Eigen::AlignedBox3d &box, const Eigen::V
     return (u.array() >= 0.0).select(box.max(), box.min());
 }
 
-/// On the rim; if u is along the axis any point of the end will do.
+/// On the rim. Where u is nearly along the axis the first difference is made of rounding errors, some of them along the
+/// axis, so that it is taken twice; if nothing is left then any point of the end will do.
 inline Eigen::Vector3d furthestOf(const Cylinder &cylinder, const Eigen::Vector3d &u)
 {
-    const double along = u.dot(cylinder.axis);
-    const Eigen::Vector3d outwards = u - along * cylinder.axis;
+    const auto acrossAxis = [&](const Eigen::Vector3d &vector)
+    {
+        return Eigen::Vector3d(vector - vector.dot(cylinder.axis) * cylinder.axis);
+    };
+    const Eigen::Vector3d outwards = acrossAxis(acrossAxis(u).normalized());
     const double size = outwards.norm();
-    Eigen::Vector3d point = cylinder.center + std::copysign(cylinder.halfLength, along) * cylinder.axis;
-    if (size > 0.0)
-        point += cylinder.radius / size * outwards;
-    return point;
+    const Eigen::Vector3d end =
+        cylinder.center + std::copysign(cylinder.halfLength, u.dot(cylinder.axis)) * cylinder.axis;
+    return size > 0.5 ? Eigen::Vector3d(end + cylinder.radius / size * outwards) : end;
 }
 }  // namespace narrows::proof
