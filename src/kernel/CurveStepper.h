@@ -68,8 +68,8 @@ public:
         return keepOffPoles(from, to);
     }
 
-    /// Newton's method from point.z to the curve, as part of a step of this length. Tangent and poles are left as the
-    /// last evaluation but one found them.
+    /// Newton's method from point.z to the curve, as part of a step of this length. Jacobian and poles stay those of
+    /// the last evaluation, before the last update.
     std::optional<StepLimit> correct(double length, Point &point)
     {
         Vector update;
