@@ -97,7 +97,8 @@ private:
     }
 
     Kind kind_ = Kind::Everything;
-    Vector3d origin_, axis_;
+    Vector3d origin_ = Vector3d::Zero();
+    Vector3d axis_ = Vector3d::Zero();
 };
 
 /// Joints that leave a common point in place leave it there at every configuration, so that looking at one is enough.
