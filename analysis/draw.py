@@ -22,6 +22,7 @@ import numpy as np
 
 import draw_planar
 import draw_spatial
+from palette import GOAL, START
 from scene import read_scene
 from spatial_scene import SpatialScene
 
@@ -42,9 +43,18 @@ def view_of(scene):
 
 
 def draw_panel(axes, scene, panel, corners):
+    view = view_of(scene)
     axes.set_title(panel.title, fontsize=10, fontweight="bold")
-    view_of(scene).draw_panel(axes, scene, panel.path, corners)
-    view_of(scene).label(axes, panel.caption)
+    view.draw_scene(axes, scene, corners)
+    start, goal = scene.start, scene.goal
+    if panel.path:
+        view.draw_sweep(axes, scene, panel.path)
+        start, goal = scene.arm.place(panel.path[0]), scene.arm.place(panel.path[-1])
+    view.draw_end(axes, scene, start, START)
+    if goal is not None:
+        view.draw_end(axes, scene, goal, GOAL)
+    view.frame(axes, start, corners)
+    view.label(axes, panel.caption)
     if not panel.path:
         axes.figure.text(0.5, 0.03, panel.missing, transform=axes.transAxes, ha="center", fontsize=10)
 

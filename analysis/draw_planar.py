@@ -6,13 +6,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
-from palette import EDGE, GOAL, OBSTACLE, POSES, START, SWEEP, TIPS, TRACE
+from palette import EDGE, GOAL, OBSTACLE, POSES, SWEEP, TIPS, TRACE
 from scene import capsule, poses
 
 PROJECTION = None
 
 
-def draw_scene(axes, scene):
+def draw_scene(axes, scene, _corners):
     for vertices in scene.outlines.values():
         axes.add_patch(plt.Polygon(vertices, closed=True, facecolor=OBSTACLE, edgecolor=EDGE, linewidth=0.8))
     if scene.rail is not None:
@@ -65,15 +65,8 @@ def label(axes, caption):
     axes.set_xlabel(caption, fontsize=8)
 
 
-def draw_panel(axes, scene, path, corners):
-    draw_scene(axes, scene)
-    start, goal = scene.start, scene.goal
-    if path:
-        draw_sweep(axes, scene, path)
-        start, goal = scene.arm.place(path[0]), scene.arm.place(path[-1])
-    draw_end(axes, scene, start, START)
-    if goal is not None:
-        draw_end(axes, scene, goal, GOAL)
+def frame(axes, start, corners):
+    """Marks the base and sets the view."""
     axes.plot(*start[0], marker="o", color="black", markersize=4, zorder=4)
     low, high = corners
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")

@@ -5,7 +5,7 @@ import matplotlib
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from palette import EDGE, GOAL, OBSTACLE, POSES, START, SWEEP, TIPS, TRACE
+from palette import EDGE, GOAL, OBSTACLE, POSES, SWEEP, TIPS, TRACE
 from scene import poses
 from surfaces import ball, tube
 
@@ -90,15 +90,8 @@ def label(axes, caption):
     axes.text2D(0.5, -0.06, caption, transform=axes.transAxes, ha="center", fontsize=8)
 
 
-def draw_panel(axes, scene, path, corners):
-    draw_scene(axes, scene, corners)
-    start, goal = scene.start, scene.goal
-    if path:
-        draw_sweep(axes, scene, path)
-        start, goal = scene.arm.place(path[0]), scene.arm.place(path[-1])
-    draw_end(axes, scene, start, START)
-    if goal is not None:
-        draw_end(axes, scene, goal, GOAL)
+def frame(axes, start, corners):
+    """Marks the base and sets the view."""
     axes.plot(*start[0, :1].T, marker="o", color="black", markersize=4)
     low, high = corners
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))

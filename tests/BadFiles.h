@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -76,6 +78,60 @@ inline void expectRefused(const std::string &folder, const BadFile &file)
         EXPECT_EQ(fault->line, line);
     EXPECT_TRUE(fault->line > 0 || fault->key.empty()) << "only a fault of the whole file may be without a line";
     EXPECT_THAT(fault->text(), testing::StartsWith(path + ":"));
+}
+
+/// The faults of many_faults.yaml: their keys, in any order, on the lines that its comments mark, from top to bottom.
+inline void expectFaultsTogether(const std::string &folder, const std::vector<std::string> &expectedKeys)
+{
+    const std::string path = folder + "many_faults.yaml";
+    std::vector<int> lines;
+    std::vector<std::string> keys;
+    for (const InputFault &fault : faultsOf(path))
+    {
+        lines.push_back(fault.line);
+        keys.push_back(fault.key);
+    }
+    EXPECT_THAT(keys, testing::UnorderedElementsAreArray(expectedKeys));
+    EXPECT_TRUE(std::is_sorted(lines.begin(), lines.end()));
+    const std::vector<int> marked = markedLines(path);
+    EXPECT_EQ(std::set<int>(lines.begin(), lines.end()), std::set<int>(marked.begin(), marked.end()));
+}
+
+inline std::string contentsOf(const std::string &file)
+{
+    std::ifstream stream(file);
+    return std::string((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+}
+
+/// Replaces pieces of a text by single letters, again and again, and lets `read` have it, which reads it or throws an
+/// InputError with faults. \return how often it was refused
+template <class Read>
+int damage(const std::string &original, const std::string &letters, int rounds, const Read &read)
+{
+    constexpr unsigned seed = 1;
+    std::mt19937 generator(seed);
+    const auto below = [&](std::size_t n)
+    {
+        return static_cast<std::size_t>(generator() % n);
+    };
+    int refused = 0;
+    for (int round = 0; round < rounds; ++round)
+    {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", round " << round);
+        std::string text = original;
+        for (std::size_t edits = 1 + below(4); edits > 0; --edits)
+            text.replace(below(text.size()), below(20), 1, letters[below(letters.size())]);
+        try
+        {
+            read(text);
+        }
+        catch (const InputError &error)
+        {
+            ++refused;
+            EXPECT_FALSE(error.faults().empty());
+        }
+    }
+    return refused;
 }
 
 /// Every file of the folder is in the table, but many_faults.yaml.

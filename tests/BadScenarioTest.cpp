@@ -168,23 +168,11 @@ TEST(BadScenarios, AreAllInTheTable)
 
 TEST(BadScenarios, FaultsOfOneFileAreReportedTogether)
 {
-    const std::string path = folder + "many_faults.yaml";
-    const std::vector<InputFault> faults = faultsOf(path);
-    std::vector<int> lines;
-    std::vector<std::string> keys;
-    for (const InputFault &fault : faults)
-    {
-        lines.push_back(fault.line);
-        keys.push_back(fault.key);
-    }
-    EXPECT_THAT(keys, testing::UnorderedElementsAre(
-                          "format", "name", "authr", "robot.base[1]", "robot.links[0].length", "robot.links[1].parent",
-                          "robot.radius", "robot.radius", "robot.angles", "obstacles[0].radius",
-                          "obstacles[1].vertices", "obstacles[2].depth", "obstacles[2].max", "start.angles",
-                          "goal.tolerance", "methods.hppm.repulsion.obstacle 3", "methods.hppm.form"));
-    EXPECT_TRUE(std::is_sorted(lines.begin(), lines.end()));
-    const std::vector<int> marked = markedLines(path);
-    EXPECT_EQ(std::set<int>(lines.begin(), lines.end()), std::set<int>(marked.begin(), marked.end()));
+    expectFaultsTogether(
+        folder, {"format", "name", "authr", "robot.base[1]", "robot.links[0].length", "robot.links[1].parent",
+                 "robot.radius", "robot.radius", "robot.angles", "obstacles[0].radius", "obstacles[1].vertices",
+                 "obstacles[2].depth", "obstacles[2].max", "start.angles", "goal.tolerance",
+                 "methods.hppm.repulsion.obstacle 3", "methods.hppm.form"});
 }
 
 TEST(BadScenarios, TheMessageHasOneLineForEveryFault)
@@ -195,35 +183,14 @@ TEST(BadScenarios, TheMessageHasOneLineForEveryFault)
 
 TEST(BadScenarios, DamagedTextIsReadOrRefusedButNeverCrashes)
 {
-    std::ifstream stream(NARROWS_SOURCE_DIR "/experiments/scenarios/gripper_slide.yaml");
-    const std::string original((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    const std::string original = contentsOf(NARROWS_SOURCE_DIR "/experiments/scenarios/gripper_slide.yaml");
     ASSERT_FALSE(original.empty());
-    const std::string letters = "0123456789-.:,[]{}#&*!|>'\"%@`~ \n\tae";
-    constexpr unsigned seed = 1;
-    std::mt19937 generator(seed);
-    const auto below = [&](std::size_t n)
-    {
-        return static_cast<std::size_t>(generator() % n);
-    };
-    int refused = 0;
     constexpr int rounds = 2000;
-    for (int round = 0; round < rounds; ++round)
+    const auto read = [](const std::string &text)
     {
-        SCOPED_TRACE(testing::Message() << "seed " << seed << ", round " << round);
-        std::string text = original;
-        for (std::size_t edits = 1 + below(4); edits > 0; --edits)
-            text.replace(below(text.size()), below(20), 1, letters[below(letters.size())]);
-        try
-        {
-            EXPECT_TRUE(parseScenario(text, "damaged").planar().model);
-        }
-        catch (const InputError &error)
-        {
-            ++refused;
-            EXPECT_FALSE(error.faults().empty());
-        }
-    }
-    EXPECT_GT(refused, rounds / 2);
+        EXPECT_TRUE(parseScenario(text, "damaged").planar().model);
+    };
+    EXPECT_GT(damage(original, "0123456789-.:,[]{}#&*!|>'\"%@`~ \n\tae", rounds, read), rounds / 2);
 }
 
 TEST(BadScenarios, FilesThatCannotBeReadAreRefused)

@@ -110,6 +110,29 @@ TEST_F(CommandLine, PlanDrawsTheMotion)
     EXPECT_THAT(readFile(drawing), HasSubstr("<svg"));
 }
 
+TEST_F(CommandLine, PlanDrawsTheSliceOfACurve)
+{
+    const std::string drawing = folder_ + "/slice.svg";
+    const Reply reply =
+        narrows("plan " + scenarios + "corridor.yaml --planner hppm --no-recipe --seed 1 --json - --slice " + drawing);
+    EXPECT_EQ(reply.code, 0) << reply.err;
+    const nlohmann::json slice = nlohmann::json::parse(reply.out).at("slice");
+    EXPECT_TRUE(slice.at("failure").is_null());
+    EXPECT_EQ(slice.at("joins"), true);
+    EXPECT_GT(slice.at("bottleneck").get<double>(), 0.0);
+    EXPECT_THAT(readFile(drawing), HasSubstr("<svg"));
+}
+
+TEST_F(CommandLine, PlanSaysIfThereIsNoSliceToDraw)
+{
+    const std::string drawing = folder_ + "/slice.svg";
+    const Reply reply = narrows("plan " + small + " --planner rrtconnect --json - --slice " + drawing);
+    EXPECT_EQ(reply.code, 2);
+    EXPECT_THAT(reply.err, HasSubstr("--slice: no curve was followed"));
+    EXPECT_EQ(nlohmann::json::parse(reply.out).at("outcome"), "solved");  // not lost with the picture
+    EXPECT_FALSE(std::filesystem::exists(drawing));
+}
+
 TEST_F(CommandLine, PlanThatDoesNotSolveIsCode1)
 {
     const Reply reply = narrows("plan " + scenarios + "hppm_case3.yaml --planner rrt --time 0.05 --json -");

@@ -165,16 +165,32 @@ TEST(CurveTracker, TheDeterminantLimitSeesAnIsolaThatTheTangentDoesNot)
 }
 
 // The augmented determinant changes its sign where two branches cross: there is no way to go on that is right.
+KnownCurve crossing()
+{
+    return levelLine(0.0, 0.0,
+                     [](double s, double lambda) {
+                         return Level{s * (s - lambda + 0.503), 2.0 * s - lambda + 0.503, -s};
+                     });
+}
+
 TEST(CurveTracker, ACrossingOfTwoBranchesEndsTheTrace)
 {
-    const KnownCurve cross = levelLine(0.0, 0.0,
-                                       [](double s, double lambda) {
-                                           return Level{s * (s - lambda + 0.503), 2.0 * s - lambda + 0.503, -s};
-                                       });
-    const Trace trace = track(cross, wide());
+    const Trace trace = track(crossing(), wide());
     EXPECT_EQ(trace.status, TraceStatus::StepUnderflow);
     EXPECT_NEAR(trace.lambdas.back(), 0.503, 1e-6);
     EXPECT_TRUE(trace.lastRejection.has_value());
+}
+
+// Where a curve ends in a crossing, steps shorter than a share of the way to the nearer end are not worth trying.
+TEST(CurveTracker, AnEndShareGivesUpACrossingSooner)
+{
+    const Trace patient = track(crossing(), wide());
+    TrackerOptions options = wide();
+    options.endShare = 3e-3;
+    const Trace brisk = track(crossing(), options);
+    EXPECT_EQ(brisk.status, TraceStatus::StepUnderflow);
+    EXPECT_NEAR(brisk.lambdas.back(), 0.503, 3e-3);
+    EXPECT_LT(2 * brisk.rejected, patient.rejected);
 }
 
 // Branches s = f(lambda) + k gap for every integer k; neighbours run in opposite directions. Nothing near a point tells
@@ -426,6 +442,7 @@ TEST(CurveTracker, RefusesOptionsOutOfRange)
     refuses(&TrackerOptions::maxTurn, 0.0);
     refuses(&TrackerOptions::maxCorrection, std::nan(""));
     refuses(&TrackerOptions::maxDeterminantRatio, 1.0);
+    refuses(&TrackerOptions::endShare, 1.0);
     TrackerOptions options;
     options.window.lambdaMax = 0.5;
     EXPECT_THROW(track(wave(), options), std::invalid_argument);

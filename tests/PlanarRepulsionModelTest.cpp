@@ -210,6 +210,29 @@ TEST(PlanarRepulsionModel, LinksRepelEachOtherAtTwiceTheirRadius)
     EXPECT_NEAR(planarRepulsionModel(model, {})->clearance(q, gradient), 0.8, 1e-12);
 }
 
+TEST(PlanarRepulsionModel, SeesOnWhichSideObstaclesLieAndWhichJointsAThroatPins)
+{
+    // Three links along x and a branch up from the first one; a throat around the second.
+    const auto model = std::make_shared<PlanarModel>(
+        PlanarModel{PlanarArm({0, 0}, {{1.0, -1}, {1.0, 0}, {1.0, 1}, {1.0, 0}}),
+                    {{"left", Circle{{1.5, 0.52}, 0.5}}, {"right", Circle{{1.5, -0.53}, 0.5}}}});
+    const auto poles = planarRepulsionModel(model, {});
+    const VectorXd q = Eigen::Vector4d(0.0, 0.0, 0.0, 2.0);
+    const Surroundings narrow = poles->surroundings(q, 0.1);
+    EXPECT_NEAR(narrow.clearance, 0.02, 1e-12);
+    ASSERT_EQ(narrow.sides.size(), 2u);
+    EXPECT_EQ(narrow.sides[0] * narrow.sides[1], -1);
+    EXPECT_EQ(narrow.pinned, (std::vector<int>{1, 2}));         // what hangs on the second link, not the branch
+    EXPECT_TRUE(poles->surroundings(q, 0.025).pinned.empty());  // the right one is farther
+    ASSERT_EQ(narrow.weights.size(), 2u);
+    for (int i = 0; i < 2; ++i)
+    {
+        std::vector<double> strengths(2, 0.0);
+        strengths[i] = 1.0;
+        EXPECT_NEAR(narrow.weights[i], poles->continuous(strengths)->value(q), 1e-9 * narrow.weights[i]);
+    }
+}
+
 TEST(PlanarRepulsionModel, StrengthZeroLeavesAGroupOut)
 {
     const auto model = planarRepulsionModel(scene(), limits(AngleConvention::Absolute));

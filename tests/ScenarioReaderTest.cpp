@@ -33,8 +33,8 @@ double clearance(const Scenario &scenario, const VectorXd &q)
     arm.place(q, points);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < arm.links().size(); ++i)
-        least = std::min(
-            least, checker->clearance({points[static_cast<std::size_t>(arm.links()[i].parent + 1)], points[i + 1], arm.radius()}));
+        least = std::min(least, checker->clearance({points[static_cast<std::size_t>(arm.links()[i].parent + 1)],
+                                                    points[i + 1], arm.radius()}));
     return least;
 }
 

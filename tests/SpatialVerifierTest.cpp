@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "SpatialOracle.h"
+#include "VerdictChecks.h"
 #include "validity/Verifier.h"
 
 namespace narrows
@@ -35,20 +36,6 @@ Verdict judge(const SpatialModel &model, const Rows &path, double tolerance = 1e
     VerifierOptions options;
     options.clearanceTolerance = tolerance;
     return verify(model, {path.front(), path.back()}, path, options);
-}
-
-void expectClearance(const Verdict &verdict, double exact, double tolerance = 1e-6)
-{
-    EXPECT_TRUE(verdict.accepted) << verdict.reason << " at " << verdict.segment << "+" << verdict.fraction;
-    EXPECT_LE(verdict.clearance, exact);
-    EXPECT_GE(verdict.clearance, exact - tolerance - 1e-12);
-}
-
-void expectRefusal(const Verdict &verdict, const std::string &reason, int segment)
-{
-    EXPECT_FALSE(verdict.accepted);
-    EXPECT_EQ(verdict.reason, reason);
-    EXPECT_EQ(verdict.segment, segment);
 }
 
 SpatialJoint turning(int parent, const Vector3d &at, const Vector3d &axis)

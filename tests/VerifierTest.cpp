@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "PaperScenes.h"
+#include "VerdictChecks.h"
 
 namespace narrows
 {
@@ -40,20 +41,6 @@ Verdict judge(const PlanarModel &model, const Rows &path, double tolerance = 1e-
     VerifierOptions options;
     options.clearanceTolerance = tolerance;
     return verify(model, between(path), path, options);
-}
-
-void expectClearance(const Verdict &verdict, double exact, double tolerance = 1e-6)
-{
-    EXPECT_TRUE(verdict.accepted) << verdict.reason << " at " << verdict.segment << "+" << verdict.fraction;
-    EXPECT_LE(verdict.clearance, exact);
-    EXPECT_GE(verdict.clearance, exact - tolerance - 1e-12);
-}
-
-void expectRefusal(const Verdict &verdict, const std::string &reason, int segment)
-{
-    EXPECT_FALSE(verdict.accepted);
-    EXPECT_EQ(verdict.reason, reason);
-    EXPECT_EQ(verdict.segment, segment);
 }
 
 /// One link of length 1 that turns about the origin.

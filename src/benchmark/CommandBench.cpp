@@ -69,7 +69,8 @@ void addBenchCommand(CLI::App &program, int &exitCode)
     command->add_option("--db", options->campaign.database, "database to write; default: as the experiment says");
     command->add_option("--jobs", options->campaign.jobs, "runs at a time; default: as the experiment says")
         ->check(CLI::Range(1, 1024));
-    command->add_flag("--resume", options->campaign.resume, "do what an existing database lacks; begin one if there is none");
+    command->add_flag("--resume", options->campaign.resume,
+                      "do what an existing database lacks; begin one if there is none");
     command->add_option("--engine", options->campaign.engine, "a process per run, or ompl::tools::Benchmark in process")
         ->check(CLI::IsMember({"isolated", "ompl"}))
         ->capture_default_str();

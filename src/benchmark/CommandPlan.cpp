@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // narrows plan: one run.
+#include <exception>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -91,7 +92,8 @@ SliceView showSlice(const PlanOptions &options, const RunSpec &spec, const Recor
 std::string withSlice(const std::string &json, const SliceView &view)
 {
     nlohmann::ordered_json record = nlohmann::ordered_json::parse(json);
-    record["slice"] = {{"joins", view.joins}, {"bottleneck", view.bottleneck}, {"failure", nullptr}};
+    record["slice"] = {
+        {"joins", view.joins}, {"bottleneck", view.bottleneck}, {"spacing", view.spacing}, {"failure", nullptr}};
     if (!view.failure().empty())
         record["slice"]["failure"] = view.failure();
     return record.dump();
@@ -102,7 +104,8 @@ void printSlice(const SliceView &view)
     if (view.joins)
         std::cout << fmt::format("  {:<16}joins start and goal, bottleneck {:.6g}\n", "slice", view.bottleneck);
     else
-        std::cout << fmt::format("  {:<16}has no way from start to goal\n", "slice");
+        std::cout << fmt::format("  {:<16}no way from start to goal through gaps wider than {:.2g} rad\n", "slice",
+                                 view.spacing);
     if (!view.failure().empty())
         std::cout << fmt::format("  {:<16}the {}'s\n", "failure", view.failure());
 }
@@ -113,8 +116,16 @@ int plan(const PlanOptions &options)
     Record record;
     runAll({spec}, 1, [&](std::size_t, const Record &result) { record = result; });
     std::optional<SliceView> slice;
-    if (!options.slice.empty())
-        slice = showSlice(options, spec, record);
+    std::exception_ptr noSlice;  // rethrown when all that was computed has been written
+    try
+    {
+        if (!options.slice.empty())
+            slice = showSlice(options, spec, record);
+    }
+    catch (...)
+    {
+        noSlice = std::current_exception();
+    }
     const std::string json = slice ? withSlice(toJson(spec, record), *slice) : toJson(spec, record);
     if (options.json == "-")
         std::cout << json << std::endl;
@@ -128,6 +139,8 @@ int plan(const PlanOptions &options)
         writeFile(options.json, json + "\n");
     if (!options.svg.empty())
         drawRecord(*spec.scenario, options.scenario, json, options.svg);
+    if (noSlice)
+        std::rethrow_exception(noSlice);
     return record.outcome == Outcome::Solved ? ExitDone : ExitNot;
 }
 

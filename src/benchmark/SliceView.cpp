@@ -108,23 +108,60 @@ Json shadows(const Look &look, const SliceHomotopy &slice, const SliceWindow &wi
     return all;
 }
 
-SliceAnswer explore(const Look &look, const SliceHomotopy &slice, const SliceWindow &window)
+/// What the problem's own checker says of configurations in the slice.
+class SliceChecks
 {
-    const ob::SpaceInformationPtr &si = look.problem.si;
-    ob::ScopedState<> from(si), to(si);
-    const auto clearance = [&](const Eigen::VectorXd &q)
+public:
+    explicit SliceChecks(const Look &look)
+      : space_(*look.problem.space), si_(look.problem.si), from_(look.problem.si), to_(look.problem.si)
     {
-        look.problem.space->fromConfiguration(q, from.get());
-        return si->satisfiesBounds(from.get()) ? si->getStateValidityChecker()->clearance(from.get())
-                                               : -std::numeric_limits<double>::infinity();
-    };
-    const auto isFree = [&](const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+    }
+
+    /// -infinity beyond limits.
+    double clearance(const Eigen::VectorXd &q)
     {
-        look.problem.space->fromConfiguration(a, from.get());
-        look.problem.space->fromConfiguration(b, to.get());
-        return si->checkMotion(from.get(), to.get());
-    };
-    return exploreSlice(slice, clearance, isFree, window);
+        space_.fromConfiguration(q, from_.get());
+        return si_->satisfiesBounds(from_.get()) ? si_->getStateValidityChecker()->clearance(from_.get())
+                                                 : -std::numeric_limits<double>::infinity();
+    }
+
+    bool isFree(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+    {
+        space_.fromConfiguration(a, from_.get());
+        space_.fromConfiguration(b, to_.get());
+        return si_->checkMotion(from_.get(), to_.get());
+    }
+
+private:
+    const ArmStateSpace &space_;
+    ob::SpaceInformationPtr si_;
+    ob::ScopedState<> from_, to_;
+};
+
+/// A curve that got through is a way, however narrow: grids overlook what is narrower than their spacing.
+void count(const Trace &trace, SliceChecks &checks, SliceAnswer &answer)
+{
+    if (answer.joins || trace.status != TraceStatus::ReachedGoal)
+        return;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < trace.configurations.size(); ++i)
+    {
+        if (i > 0 && !checks.isFree(trace.configurations[i - 1], trace.configurations[i]))
+            return;
+        least = std::min(least, checks.clearance(trace.configurations[i]));
+    }
+    answer.joins = true;
+    answer.bottleneck = least;
+}
+
+SliceAnswer explore(const Look &look, const SliceHomotopy &slice, const SliceWindow &window, const Trace &trace)
+{
+    SliceChecks checks(look);
+    SliceAnswer answer = exploreSlice(
+        slice, [&](const Eigen::VectorXd &q) { return checks.clearance(q); },
+        [&](const Eigen::VectorXd &a, const Eigen::VectorXd &b) { return checks.isFree(a, b); }, window);
+    count(trace, checks, answer);
+    return answer;
 }
 }  // namespace
 
@@ -137,18 +174,19 @@ SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
     tracking.log = true;
     const Trace trace = track(slice, tracking);
     const SliceWindow window = windowOf(slice, trace);
-    const SliceAnswer answer = explore(look, slice, window);
+    const SliceAnswer answer = explore(look, slice, window, trace);
 
     SliceView view;
     view.joins = answer.joins;
     view.bottleneck = answer.bottleneck;
+    view.spacing = answer.spacing;
     view.status = toString(trace.status);
     Json json{{"scenario", scenario.name},
               {"status", view.status},
               {"joins", view.joins},
               {"bottleneck", view.bottleneck},
               {"failure", view.failure()},
-              {"spacing", answer.spacing},
+              {"spacing", view.spacing},
               {"lambda", {window.lambdaMin, window.lambdaMax}},
               {"deviation", window.deviation},
               {"traced_from", look.planner->getTracedFrom()}};

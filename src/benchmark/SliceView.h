@@ -11,8 +11,9 @@ namespace narrows
 /// What there is to see in the slice of joint space in which HPPM followed a curve.
 struct SliceView
 {
-    bool joins = false;       ///< does the slice's free part join start and goal (SliceOracle)?
-    double bottleneck = 0.0;  ///< greatest clearance that a way in the slice can keep; 0 without a way
+    bool joins = false;       ///< does the slice's free part join start and goal (SliceOracle, or the curve itself)?
+    double bottleneck = 0.0;  ///< clearance of the widest way that was found; 0 without a way
+    double spacing = 0.0;     ///< gaps narrower than this may have been overlooked, in the slice's unit (radians)
     std::string status;       ///< how the curve ended (TraceStatus)
     std::string json;         ///< all of it, for analysis/draw_slice.py
 

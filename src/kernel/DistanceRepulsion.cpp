@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/DistanceRepulsion.h"
 
-#include <cmath>
-#include <stdexcept>
-
 namespace narrows
 {
 struct DistanceRepulsion::Workspace
@@ -16,11 +13,7 @@ struct DistanceRepulsion::Workspace
 DistanceRepulsion::DistanceRepulsion(std::shared_ptr<const PlanarPoles> poles, const std::vector<double> &strengths)
   : poles_(std::move(poles))
 {
-    if (strengths.size() != poles_->groups().size())
-        throw std::invalid_argument("there must be one repulsion per group of poles");
-    for (const double strength : strengths)
-        if (!std::isfinite(strength))
-            throw std::invalid_argument("a repulsion must be finite");
+    requireStrengths(strengths, poles_->groups().size(), "group of poles");
     poleCount_ = 0;
     for (std::size_t i = 0; i < poles_->obstacles().size(); ++i)
     {

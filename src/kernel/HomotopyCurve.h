@@ -17,8 +17,8 @@ struct CurvePoint
     Eigen::VectorXd w;          ///< the robot's configuration at z
 };
 
-/// n equations H(z) = 0 in n + 1 unknowns, whose solutions are curves; one of them leads through the start (lambda = 0).
-/// Knows no robot and no planner. Immutable.
+/// n equations H(z) = 0 in n + 1 unknowns, whose solutions are curves; one of them leads through the start (lambda =
+/// 0). Knows no robot and no planner. Immutable.
 class HomotopyCurve
 {
 public:

@@ -82,13 +82,20 @@ MeshGeometry::MeshGeometry(const Mesh &mesh) : closed_(mesh.closed)
     if (mesh.closed)
         checkClosed(mesh);
     faces_.reserve(mesh.triangles.size());
+    std::set<std::pair<int, int>> taken;
     for (const std::array<int, 3> &triangle : mesh.triangles)
+    {
+        unsigned edges = 0;
+        for (int i = 0; i < 3; ++i)
+            if (taken.insert(std::minmax(triangle[i], triangle[(i + 1) % 3])).second)
+                edges |= 1u << i;
         faces_.emplace_back(
-            Triangle{mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]});
+            Triangle{mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]}, edges);
+    }
     build(0, static_cast<int>(faces_.size()));
 }
 
-MeshGeometry::Face::Face(const Triangle &triangle) : corners(triangle)
+MeshGeometry::Face::Face(const Triangle &triangle, unsigned ownEdges) : corners(triangle), edges(ownEdges)
 {
     const Vector3d lower = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Vector3d upper = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
@@ -138,14 +145,7 @@ MeshGeometry::SegmentView::SegmentView(const Vector3d &a, const Vector3d &b)
 double MeshGeometry::SegmentView::leastDistance(const Node &node) const
 {
     const double gap = (node.lower - upper_).cwiseMax(lower_ - node.upper).cwiseMax(0.0).squaredNorm();
-    return std::max(std::sqrt(gap), distance(0.5 * (node.lower + node.upper)) - node.radius);
-}
-
-double MeshGeometry::SegmentView::distance(const Vector3d &point) const
-{
-    const Vector3d apart = point - from_;
-    const double fraction = std::clamp(along_.dot(apart) * inverseSquare_, 0.0, 1.0);
-    return (apart - fraction * along_).norm();
+    return std::max(std::sqrt(gap), std::sqrt(squaredDistance(0.5 * (node.lower + node.upper))) - node.radius);
 }
 
 bool MeshGeometry::contains(const Vector3d &point) const
@@ -178,9 +178,9 @@ Nearness MeshGeometry::nearest(const Vector3d &a, const Vector3d &b, int *guess)
     const auto visit = [&](const Face &face)
     {
         const std::size_t number = static_cast<std::size_t>(&face - faces_.data());
-        if (number == index || segment.leastDistance(face) > limit)
+        if (number == index || segment.isBeyond(face, limit))
             return true;
-        const Nearness here = nearness(a, b, face.corners);
+        const Nearness here = nearness(a, b, face.corners, face.edges);
         // Among equals the first, so that the answer does not depend on the guess.
         if (here.distance < best.distance || (here.distance == best.distance && number < index))
         {

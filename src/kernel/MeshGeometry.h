@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -38,19 +39,19 @@ public:
     bool visitWithin(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double room, const Visit &visit) const
     {
         const SegmentView segment(a, b);
-        return descend(
-            [&](const Node &node) { return segment.leastDistance(node); }, room,
-            [&](const Face &face)
-            { return segment.leastDistance(face) > room || visit(face.corners, nearness(a, b, face.corners)); });
+        return descend([&](const Node &node) { return segment.leastDistance(node); }, room,
+                       [&](const Face &face)
+                       { return segment.isBeyond(face, room) || visit(face.corners, nearness(a, b, face.corners)); });
     }
 
 private:
     /// A triangle and a ball around it.
     struct Face
     {
-        explicit Face(const Triangle &triangle);
+        Face(const Triangle &triangle, unsigned ownEdges);
 
         Triangle corners;
+        unsigned edges;  ///< of those that two triangles share, one has each; as for nearness()
         Eigen::Vector3d center;
         double radius;
     };
@@ -74,11 +75,19 @@ private:
 
         /// A lower bound of the distance from all in a node's box.
         double leastDistance(const Node &node) const;
-        /// The same of a triangle.
-        double leastDistance(const Face &face) const { return distance(face.center) - face.radius; }
+        /// Whether a triangle is certainly further away than `limit`.
+        bool isBeyond(const Face &face, double limit) const
+        {
+            return squaredDistance(face.center) > (limit + face.radius) * (limit + face.radius);
+        }
 
     private:
-        double distance(const Eigen::Vector3d &point) const;
+        double squaredDistance(const Eigen::Vector3d &point) const
+        {
+            const Eigen::Vector3d apart = point - from_;
+            const double fraction = std::min(std::max(along_.dot(apart) * inverseSquare_, 0.0), 1.0);
+            return (apart - fraction * along_).squaredNorm();
+        }
 
         Eigen::Vector3d from_, along_, lower_, upper_;
         double inverseSquare_;

@@ -40,8 +40,7 @@ public:
 
     std::shared_ptr<const Repulsion> points(const std::vector<double> &strengths, int pointsPerLink) const override
     {
-        if (strengths.size() != groups().size())
-            throw std::invalid_argument("there must be one repulsion per group of poles");
+        requireStrengths(strengths, groups().size(), "group of poles");
         const auto end = strengths.begin() + static_cast<std::ptrdiff_t>(model_->obstacles.size());
         for (auto strength = end; strength != strengths.end(); ++strength)
             if (*strength != 0.0)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/PointRepulsion.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "kernel/LinkTerm.h"
@@ -32,8 +31,7 @@ PointRepulsion::PointRepulsion(const PlanarModel &model, const std::vector<doubl
 {
     if (pointsPerLink < 1)
         throw std::invalid_argument("there must be at least one singular point per link");
-    if (strengths.size() != model.obstacles.size())
-        throw std::invalid_argument("there must be one repulsion per obstacle");
+    requireStrengths(strengths, model.obstacles.size(), "obstacle");
     if (!supports(model))
         throw std::invalid_argument("the paper has no obstacle function for polygons");
     for (int k = 1; k <= pointsPerLink; ++k)
@@ -41,8 +39,6 @@ PointRepulsion::PointRepulsion(const PlanarModel &model, const std::vector<doubl
     const double radius = model.arm.radius();
     for (std::size_t i = 0; i < strengths.size(); ++i)
     {
-        if (!std::isfinite(strengths[i]))
-            throw std::invalid_argument("a repulsion must be finite");
         if (const auto *circle = std::get_if<Circle>(&model.obstacles[i].shape))
         {
             const double grown = circle->radius + radius;

@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/Repulsion.h"
 
+#include <cmath>
+#include <stdexcept>
+
 namespace narrows
 {
+void requireStrengths(const std::vector<double> &strengths, std::size_t count, const std::string &what)
+{
+    if (strengths.size() != count)
+        throw std::invalid_argument("there must be one repulsion per " + what);
+    for (const double strength : strengths)
+        if (!std::isfinite(strength))
+            throw std::invalid_argument("a repulsion must be finite");
+}
+
 Surroundings RepulsionModel::surroundings(const Eigen::Ref<const Eigen::VectorXd> &q, double /*throat*/) const
 {
     const std::size_t count = groups().size();

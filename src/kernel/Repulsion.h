@@ -32,6 +32,9 @@ public:
     virtual double value(const Eigen::Ref<const Eigen::VectorXd> &q) const = 0;
 };
 
+/// \throws std::invalid_argument unless there are `count` strengths, all finite; `what` has one each.
+void requireStrengths(const std::vector<double> &strengths, std::size_t count, const std::string &what);
+
 /// How one configuration lies among the poles: what a search for good homotopies starts from.
 struct Surroundings
 {

@@ -2,7 +2,6 @@
 #include "kernel/SpatialRepulsion.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "kernel/LinkTerm.h"
 
@@ -18,11 +17,7 @@ struct SpatialRepulsion::Workspace
 SpatialRepulsion::SpatialRepulsion(std::shared_ptr<const SpatialPoles> poles, const std::vector<double> &strengths)
   : poles_(std::move(poles))
 {
-    if (strengths.size() != poles_->groups().size())
-        throw std::invalid_argument("there must be one repulsion per group of poles");
-    for (const double strength : strengths)
-        if (!std::isfinite(strength))
-            throw std::invalid_argument("a repulsion must be finite");
+    requireStrengths(strengths, poles_->groups().size(), "group of poles");
     for (std::size_t i = 0; i < poles_->obstacles().size(); ++i)
         if (strengths[i] != 0.0)
             sources_.push_back({&poles_->obstacles()[i], strengths[i]});

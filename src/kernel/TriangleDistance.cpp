@@ -54,13 +54,15 @@ Nearness pierced(const Vector3d &a, const Vector3d &b, double fraction, const Ve
 }
 
 /// Where the segment is nearest to an edge.
-Nearness besideEdges(const Vector3d &a, const Vector3d &b, const Triangle &triangle)
+Nearness besideEdges(const Vector3d &a, const Vector3d &b, const Triangle &triangle, unsigned edges)
 {
     double least = std::numeric_limits<double>::infinity();
     double fraction = 0.0;
     Vector3d apart = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)
     {
+        if ((edges >> i & 1u) == 0)
+            continue;
         const Vector3d &c = triangle[i], &d = triangle[(i + 1) % 3];
         const ClosestFractions closest = closestFractions(a, b, c, d);
         const Vector3d way = a + closest.first * (b - a) - c - closest.second * (d - c);
@@ -76,24 +78,24 @@ Nearness besideEdges(const Vector3d &a, const Vector3d &b, const Triangle &trian
 }
 }  // namespace
 
-Nearness nearness(const Vector3d &a, const Vector3d &b, const Triangle &triangle)
+Nearness nearness(const Vector3d &a, const Vector3d &b, const Triangle &triangle, unsigned edges)
 {
     const Face face(triangle);
     if (!face.exists())
-        return besideEdges(a, b, triangle);
+        return besideEdges(a, b, triangle, edges);
     const double from = face.height(a), to = face.height(b);
     if (from <= 0.0 ? to >= 0.0 : to <= 0.0)
     {
         const double fraction = from == to ? 0.0 : from / (from - to);
         if (face.isUnder(a + fraction * (b - a)))
             return pierced(a, b, fraction, face.normal().normalized());
-        return besideEdges(a, b, triangle);
+        return besideEdges(a, b, triangle, edges);
     }
     // On one side of the plane no point of the segment can be nearer than the lower end, if that is above the face.
     const bool first = std::abs(from) < std::abs(to);
     const Vector3d &end = first ? a : b;
     if (!face.isUnder(end))
-        return besideEdges(a, b, triangle);
+        return besideEdges(a, b, triangle, edges);
     const double length = face.normal().norm(), height = first ? from : to;
     return {std::abs(height) / length, first ? 0.0 : 1.0, end, std::copysign(1.0 / length, height) * face.normal()};
 }

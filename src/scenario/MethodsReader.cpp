@@ -93,7 +93,8 @@ std::optional<std::string> hppmText(const Mapping::Entry &entry, const std::vect
 
 Parameters readHppm(const Field &field, const std::vector<std::string> &obstacles, int dimension)
 {
-    std::vector<std::string> known = {"repulsion", "rows", "direction", "points_per_link", "orientation", "form", "poles"};
+    std::vector<std::string> known = {"repulsion",   "rows", "direction", "points_per_link",
+                                      "orientation", "form", "poles"};
     for (const auto &number : hppmNumbers)
         known.push_back(number.first);
     const Mapping hppm(field);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <stdexcept>
+#include <string>
+
 #include "kernel/LinkMotion.h"
 
 namespace narrows
@@ -37,4 +40,17 @@ public:
     virtual double clearance(const Link<Dim> &link, const Link<Dim> &other) const = 0;
     virtual Finding examine(const LinkMotion<Dim> &link, const LinkMotion<Dim> &other) const = 0;
 };
+
+/// Makes a checker for a model, planar or spatial, by its name: "analytic" or "fcl" (see PlanarChecker.h and
+/// SpatialChecker.h, one of which must be included).
+/// \throws std::invalid_argument for any other name.
+template <class Model>
+auto makeChecker(const std::string &name, const Model &model)
+{
+    if (name == "analytic")
+        return makeAnalyticChecker(model);
+    if (name == "fcl")
+        return makeFclChecker(model);
+    throw std::invalid_argument("checker \"" + name + "\" is unknown; there are analytic and fcl");
+}
 }  // namespace narrows

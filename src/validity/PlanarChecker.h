@@ -2,8 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "kernel/PlanarModel.h"
 #include "validity/LinkChecker.h"
@@ -20,8 +18,4 @@ std::unique_ptr<PlanarChecker> makeAnalyticChecker(const PlanarModel &model);
 /// half extent at superellipses, which circumscribed polygons stand for. Motions are examined to first order only: a
 /// library that answers yes or no has no line to show. \throws std::invalid_argument if a polygon crosses itself.
 std::unique_ptr<PlanarChecker> makeFclChecker(const PlanarModel &model);
-
-/// Makes a checker by its name, "analytic" or "fcl".
-/// \throws std::invalid_argument for any other name.
-std::unique_ptr<PlanarChecker> makeChecker(const std::string &name, const PlanarModel &model);
 }  // namespace narrows

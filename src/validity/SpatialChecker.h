@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "kernel/SpatialModel.h"
 #include "validity/LinkChecker.h"
@@ -18,8 +17,4 @@ std::unique_ptr<SpatialChecker> makeAnalyticChecker(const SpatialModel &model);
 /// clearance()), FCL's own resolution. Motions are examined to first order only. Whether a link is inside a closed mesh
 /// is not asked of FCL, which knows surfaces only.
 std::unique_ptr<SpatialChecker> makeFclChecker(const SpatialModel &model);
-
-/// Makes a checker by its name, "analytic" or "fcl".
-/// \throws std::invalid_argument for any other name.
-std::unique_ptr<SpatialChecker> makeChecker(const std::string &name, const SpatialModel &model);
 }  // namespace narrows
