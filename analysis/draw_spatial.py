@@ -18,6 +18,7 @@ def extent(scene, paths):
     """Corners of the arm's room, with the obstacles as far as they are near it."""
     arms = [part for part in (scene.start, scene.goal, scene.rail) if part is not None]
     arms += [scene.arm.place(row) for path in paths for row in poses(path, POSES)]
+    arms += [] if scene.tip_path is None else [scene.tip_path]
     arm = np.vstack([part.reshape(-1, 3) for part in arms])
     middle = (arm.min(axis=0) + arm.max(axis=0)) / 2.0
     size = ROOM * np.max(arm.max(axis=0) - arm.min(axis=0)) / 2.0
@@ -55,6 +56,8 @@ def draw_scene(axes, scene, corners):
             add_surface(axes, shown, facecolor=OBSTACLE, edgecolor=EDGE + "50", linewidth=0.2, alpha=0.22)
     if scene.rail is not None:
         axes.plot(*scene.rail.T, color=EDGE, linewidth=1.0)
+    if scene.tip_path is not None:
+        axes.plot(*scene.tip_path.T, color=GOAL, linewidth=1.0, marker=".", markersize=2.5)
     if scene.target is not None:
         add_surface(axes, ball(*scene.target), facecolor=GOAL, edgecolor="none", alpha=0.3)
 

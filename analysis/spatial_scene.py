@@ -72,7 +72,8 @@ class SpatialScene:
     rail: np.ndarray | None  # both ends of the base's way
     start: np.ndarray  # a placed arm
     goal: np.ndarray | None  # a placed arm, unless only a tip is asked for:
-    target: tuple | None  # (point, tolerance)
+    target: tuple | None  # (point, tolerance), or:
+    tip_path: np.ndarray | None  # (n, 3) places for the tip, one after the other
 
 
 def read_spatial_scene(data, folder):
@@ -83,6 +84,7 @@ def read_spatial_scene(data, folder):
         rail = arm.base + np.array(data["robot"]["base"]["slide"]["limits"], dtype=float)[:, None] * arm.slide
     goal = data["goal"]
     target = (np.array(goal["tip"], dtype=float), float(goal["tolerance"])) if "tip" in goal else None
+    tip_path = np.array(goal["tip_path"], dtype=float) if "tip_path" in goal else None
     start = arm.place(read_joints(data["start"], arm))
     files = Files(data.get("files"), folder)
     far = 2.0 * sum(np.linalg.norm(start[:, 1] - start[:, 0], axis=1)) + (0 if rail is None else np.ptp(rail))
@@ -95,8 +97,9 @@ def read_spatial_scene(data, folder):
         },
         rail=rail,
         start=start,
-        goal=arm.place(read_joints(goal, arm)) if target is None else None,
+        goal=arm.place(read_joints(goal, arm)) if "joints" in goal else None,
         target=target,
+        tip_path=tip_path,
     )
 
 

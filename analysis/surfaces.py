@@ -37,6 +37,8 @@ def surface(obstacle, files, middle, far):
         return cylinder(obstacle, middle, far)
     if kind == "box":
         return box(obstacle)
+    if kind == "prism":
+        return prism(obstacle, middle, far)
     if kind == "mesh":
         frame, scale = rotation(obstacle.get("rotation")), float(obstacle.get("scale", 1.0))
         position = np.array(obstacle.get("position", [0, 0, 0]), dtype=float)
@@ -95,3 +97,22 @@ def box(obstacle):
             corners[:, (axis + 2) % 3] = np.repeat([low[(axis + 2) % 3], high[(axis + 2) % 3]], 2)
             faces.append(middle + (corners[[0, 1, 3, 2]] - middle) @ frame.T)
     return faces
+
+
+def section_frame(axis):
+    """The plane that a prism's section lies in: x level, towards growing world x or y, and y as upright as can be."""
+    level = np.array([-axis[1], axis[0], 0.0]) if np.any(axis[:2] != 0.0) else unit("x")
+    level *= np.sign(level[np.argmax(np.abs(level))]) / np.linalg.norm(level)
+    up = np.cross(axis, level)
+    return level, up if (up[2], up[1]) > (0.0, 0.0) else -up
+
+
+def prism(obstacle, middle, far):
+    axis = unit(obstacle["axis"])
+    center, half = np.array(obstacle.get("center", [0, 0, 0]), dtype=float), float(obstacle["length"]) / 2.0
+    if not np.isfinite(half):
+        center, half = center + (middle - center) @ axis * axis, far
+    section = center + np.array(obstacle["vertices"], dtype=float) @ np.array(section_frame(axis))
+    low, high = section - half * axis, section + half * axis
+    sides = zip(low, np.roll(low, -1, axis=0), np.roll(high, -1, axis=0), high)
+    return [low, high, *(np.array(side) for side in sides)]

@@ -195,6 +195,32 @@ goal: {angles: [90 deg, 0]}
         1);
 }
 
+TEST_F(CommandLine, VerifySaysWhichTipWasNotReached)
+{
+    const auto scenario = [&](const std::string &tips)
+    {
+        return file("tips.yaml",
+                    "format: narrows/scenario/1\nname: tips\nrobot: {kind: spatial_arm, links: [{length: 1}, "
+                    "{length: 1}]}\nobstacles: []\nstart: {joints: [[0, 0], [0, 0]]}\n"
+                    "goal: {tip_path: [" +
+                        tips + "], tolerance: 1e-6}\n");
+    };
+    const std::string path = file("up.json", "[[0, 0, 0, 0], [-1.5707963267948966, 0, 0, 0]]");
+    EXPECT_EQ(narrows("verify " + scenario("[2, 0, 0], [0, 0, 2]") + " " + path).code, 0);
+    const Reply refused = narrows("verify " + scenario("[2, 0, 0], [0, 0, 2], [2, 0, 0]") + " " + path);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_THAT(refused.out, testing::StartsWith("refused: tip_path"));
+    EXPECT_THAT(refused.out, HasSubstr(", tip 2\n"));
+}
+
+TEST_F(CommandLine, GenerateWritesAScenarioInSpace)
+{
+    const std::string written = folder_ + "/pipes.yaml";
+    EXPECT_EQ(narrows("generate pipes --param obstacles=3 --param seed=2 -o " + written).code, 0);
+    EXPECT_EQ(readScenario(written).spatial().model->obstacles.size(), 3u);
+    EXPECT_EQ(readScenario(written).name, "pipes_obstacles3_seed2");
+}
+
 TEST_F(CommandLine, GenerateWritesAScenarioAndAPathThatTheVerifierAccepts)
 {
     const std::string scenario = folder_ + "/slab.yaml";
@@ -219,6 +245,8 @@ TEST_F(CommandLine, GenerateRefusesWhatItCannotDo)
              {"generate slab --param seed=x", "seed: must be a whole number"},
              {"generate slab --name 'two words'", "must be one word"},
              {"generate slab -o " + folder_ + "/none/a.yaml", "a.yaml: cannot be written"},
+             {"generate pipes --param obstacles=10 --param margin=500", "no such scene was found in 20000 draws"},
+             {"generate pipes --witness " + folder_ + "/witness.json", "no witness is known"},
              {"generate corridor --witness " + folder_ + "/witness.json", "no witness is known"},
              {"show family slap", "did you mean 'slab'?"}})
     {

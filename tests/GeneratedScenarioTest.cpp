@@ -69,6 +69,20 @@ TEST(GeneratedScenario, SettingsReplaceWhatTheFileSays)
     EXPECT_FALSE(other.isCalled("mine_half_width1e-3_seed4"));
 }
 
+TEST(GeneratedScenario, MayLiveInSpace)
+{
+    const Scenario scenario = parseScenario(head +
+                                                "generate: {family: pipes, obstacles: 3}\n"
+                                                "methods: {hppm: {repulsion: {S1: 1, S2: 0.5, S3: 1}}}\n",
+                                            "file", {{"seed", "4"}});
+    EXPECT_EQ(scenario.name, "mine_seed4");
+    EXPECT_EQ(scenario.group, "mine");
+    EXPECT_EQ(scenario.family, "pipes");
+    EXPECT_EQ(scenario.spatial().model->obstacles.size(), 3u);
+    EXPECT_EQ(std::get<SpatialTipPath>(scenario.spatial().task.goal).points.size(), 3u);
+    EXPECT_EQ(parseScenario(scenario.text, "text").text, scenario.text);
+}
+
 TEST(GeneratedScenario, NamesAreWords)
 {
     EXPECT_EQ(nameWith("a", {}), "a");

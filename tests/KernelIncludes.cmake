@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Fails if a file of the kernel includes what it must not know: anything but Eigen, the standard library without files,
 # clocks, printing and randomness, and the kernel itself. Run as: cmake -D SOURCE=... -P KernelIncludes.cmake
-file(GLOB files ${SOURCE}/src/kernel/*.h ${SOURCE}/src/kernel/*.cpp)
+file(GLOB_RECURSE files ${SOURCE}/src/kernel/*.h ${SOURCE}/src/kernel/*.cpp)
 list(LENGTH files count)
 if(count LESS 10)
   message(FATAL_ERROR "only ${count} kernel files found below ${SOURCE}: is the path right?")

@@ -101,7 +101,7 @@ TEST_P(PlannerContract, EndsAtOnceWhenTold)
 
 TEST_P(PlannerContract, EndsWithoutAWay)
 {
-    Problem problem = seededProblem();
+    Problem problem = seededProblem(name());
     problem.si->setStateValidityChecker(std::make_shared<TwoStates>(problem));
     problem.si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(problem.si));
     problem.si->setup();
@@ -118,7 +118,7 @@ TEST_P(PlannerContract, EndsWithoutAWay)
 
 TEST_P(PlannerContract, NamesAnInvalidStart)
 {
-    const Problem problem = seededProblem();
+    const Problem problem = seededProblem(name());
     problem.si->setStateValidityChecker([](const ob::State *) { return false; });
     problem.si->setup();
     const Trial trial = makeTrial(name(), problem);
@@ -129,7 +129,7 @@ TEST_P(PlannerContract, NamesAnInvalidStart)
 
 void solveWithoutProblem(const std::string &name)
 {
-    const Problem problem = seededProblem();
+    const Problem problem = seededProblem(name);
     const ob::PlannerPtr planner = makePlanner(name, problem.context);
     EXPECT_THROW(planner->solve(questions(10)), ompl::Exception);
     planner->setProblemDefinition(std::make_shared<ob::ProblemDefinition>(problem.si));
@@ -146,7 +146,7 @@ TEST_P(PlannerContract, ThrowsWithoutAProblem)
 
 TEST_P(PlannerContract, ParametersSurviveClear)
 {
-    const Problem problem = seededProblem();
+    const Problem problem = seededProblem(name());
     const bool hasRange = makePlanner(name(), problem.context)->params().hasParam("range");
     const Trial trial = makeTrial(name(), hasRange ? std::map<std::string, std::string>{{"range", "0.75"}}
                                                    : std::map<std::string, std::string>{});
@@ -202,7 +202,7 @@ TEST_P(PlannerContract, SameSeedSamePath)
 
 bool isSupported(const PlannerEntry &entry)
 {
-    return whyUnsupported(entry.name, seededProblem().context).empty();
+    return whyUnsupported(entry.name, seededProblem(entry.name).context).empty();
 }
 
 std::vector<std::string> supportedPlanners()

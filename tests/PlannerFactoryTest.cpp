@@ -54,18 +54,20 @@ TEST(PlannerFactory, SaysTruthfullyWhoPlansWithThreads)
 {
     const Problem problem = seededProblem();
     for (const PlannerEntry &entry : planners())
-        EXPECT_EQ(entry.threaded, entry.make(problem.context)->getSpecs().multithreaded) << entry.name;
+        if (whyUnsupported(entry.name, problem.context).empty() || entry.name == "lazylbtrrt")
+            EXPECT_EQ(entry.threaded, entry.make(problem.context)->getSpecs().multithreaded) << entry.name;
 }
 
 TEST(PlannerFactory, ShowsSamplingPlannersNothingButTheSpace)
 {
-    const Problem problem = seededProblem();
+    PlannerContext context;
+    context.si = seededProblem().si;
     for (const PlannerEntry &entry : planners())
     {
         if (entry.usesModel)
-            EXPECT_THROW(makePlanner(entry.name, {problem.si, nullptr, nullptr}), std::invalid_argument) << entry.name;
+            EXPECT_THROW(makePlanner(entry.name, context), std::invalid_argument) << entry.name;
         else
-            EXPECT_NE(makePlanner(entry.name, {problem.si, nullptr, nullptr}), nullptr) << entry.name;
+            EXPECT_NE(makePlanner(entry.name, context), nullptr) << entry.name;
     }
     EXPECT_THROW(makePlanner("rrt", {}), std::invalid_argument);
 }

@@ -14,6 +14,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "TinyPipeProblem.h"
 #include "TinyProblem.h"
 #include "planners/PlannerFactory.h"
 
@@ -84,12 +85,13 @@ inline long enoughFor(const std::string &planner)
     return has(planner, Quirk::TakesAllTime) ? 2000 : 20'000;
 }
 
-/// Random numbers repeat only for what is built after the seed is set.
-inline Problem seededProblem()
+/// The problem that a planner is tried on: one of its robots. Random numbers repeat only for what is built after the seed
+/// is set.
+inline Problem seededProblem(const std::string &planner = "")
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
     ompl::RNG::setSeed(seed);
-    return tinyProblem();
+    return planner == "vdsm" ? makeProblem(tinyPipeScenario()) : tinyProblem();
 }
 
 struct Trial
@@ -113,7 +115,7 @@ inline Trial makeTrial(const std::string &name, Problem problem, std::map<std::s
 
 inline Trial makeTrial(const std::string &name, const std::map<std::string, std::string> &parameters = {})
 {
-    return makeTrial(name, seededProblem(), parameters);
+    return makeTrial(name, seededProblem(name), parameters);
 }
 
 /// PlannerStatus converts to bool as well as to its enum, so that gtest cannot compare two of them.

@@ -235,6 +235,22 @@ TEST_F(ResultStoreFile, RefusesANewerSchema)
     EXPECT_THAT(complaint(), testing::HasSubstr("schema version 2; this program reads version 1"));
 }
 
+TEST_F(ResultStoreFile, AddsTheMetricsThatAnOlderProgramDidNotKnow)
+{
+    create();
+    execute("ALTER TABLE runs DROP COLUMN closure");
+    {
+        ResultStore store = ResultStore::resume(path_, experiment_, "isolated");
+        store.beginSession(captureEnvironment(1));
+        Record record = solved(1.0, 200);
+        record.closure = 0.25;
+        store.add(specs_.front(), record, SavePaths::None);
+    }
+    EXPECT_EQ(columns("runs").back(), "closure");
+    EXPECT_EQ(scalar("SELECT closure FROM runs"), "0.25");
+    EXPECT_EQ(scalar("SELECT outcome FROM runs"), "solved");
+}
+
 TEST_F(ResultStoreFile, RefusesADamagedFile)
 {
     {

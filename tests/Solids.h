@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -39,6 +40,31 @@ struct PointDistance
     {
         const Eigen::Vector3d excess = (box.pose.inverse() * point).cwiseAbs() - box.halfExtents;
         return excess.maxCoeff() <= 0.0 ? excess.maxCoeff() : excess.cwiseMax(0.0).norm();
+    }
+
+    double operator()(const Prism &prism) const
+    {
+        const Eigen::Vector3d local = prism.pose.inverse() * point;
+        const Eigen::Vector2d excess(fromSection(prism.vertices, local.head<2>()),
+                                     std::abs(local.z()) - prism.halfLength);
+        return excess.maxCoeff() <= 0.0 ? excess.maxCoeff() : excess.cwiseMax(0.0).norm();
+    }
+
+private:
+    /// Beyond all sides the nearest side or corner counts, within all of them the nearest side's line.
+    static double fromSection(const std::vector<Eigen::Vector2d> &vertices, const Eigen::Vector2d &x)
+    {
+        double inside = -std::numeric_limits<double>::infinity(), outside = -inside;
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+        {
+            const Eigen::Vector2d &from = vertices[i], &to = vertices[(i + 1) % vertices.size()];
+            const Eigen::Vector2d along = (to - from).normalized(), outward(along.y(), -along.x());
+            inside = std::max(inside, outward.dot(x - from));
+            outside = std::min(outside, (x - from).norm());
+            if (along.dot(x - from) > 0.0 && along.dot(x - to) < 0.0)
+                outside = std::min(outside, std::abs(outward.dot(x - from)));
+        }
+        return inside <= 0.0 ? inside : outside;
     }
 };
 
@@ -100,5 +126,25 @@ inline Cylinder randomCylinder(bool infinite, std::mt19937 &generator)
     const Eigen::Vector3d sizes = Eigen::Vector3d::Constant(0.05) + randomPoint(1.0, generator).cwiseAbs();
     return {randomPoint(0.3, generator), randomPoint(1.0, generator).normalized(), sizes.x(),
             infinite ? std::numeric_limits<double>::infinity() : sizes.y()};
+}
+
+/// Three to eight corners on an ellipse, which the origin of the section need not be in.
+inline Prism randomPrism(bool infinite, std::mt19937 &generator)
+{
+    const Box box = randomBox(generator);
+    std::uniform_real_distribution<double> uniform(0.2, 1.0);
+    std::vector<double> angles(3 + generator() % 6);
+    double sum = 0.0;
+    for (double &angle : angles)
+        angle = sum += uniform(generator);
+    const Eigen::Vector2d center = randomPoint(0.5, generator).head<2>();
+    Prism prism{{}, box.pose, infinite ? std::numeric_limits<double>::infinity() : box.halfExtents.z()};
+    for (const double angle : angles)
+    {
+        const double turn = 2.0 * std::acos(-1.0) * angle / sum;
+        prism.vertices.push_back(
+            center + box.halfExtents.head<2>().cwiseProduct(Eigen::Vector2d(std::cos(turn), std::sin(turn))));
+    }
+    return prism;
 }
 }  // namespace narrows

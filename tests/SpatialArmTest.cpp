@@ -71,25 +71,6 @@ TEST_P(EveryRobot, VelocitiesAndSpinsAreDerivatives)
                   1e-13);
 }
 
-TEST_P(EveryRobot, GradientIsTheDerivativeOfAPointAlongAForce)
-{
-    const VectorXd q = randomVector(arm_.dimension(), 2.0, generator_);
-    const SpatialArm::Placement placement = placeAt(q);
-    const Vector3d force(0.3, -0.5, 0.9);
-    constexpr double h = 1e-6;
-    for (int link = 0; link < arm_.linkCount(); ++link)
-    {
-        VectorXd gradient = VectorXd::Zero(arm_.dimension());
-        arm_.addGradient(placement, link, placement.points[2 * link + 1], force, gradient);
-        for (int i = 0; i < arm_.dimension(); ++i)
-        {
-            const VectorXd step = h * VectorXd::Unit(arm_.dimension(), i);
-            const Vector3d moved = placeAt(q + step).points[2 * link + 1] - placeAt(q - step).points[2 * link + 1];
-            EXPECT_NEAR(gradient[i], force.dot(moved) / (2.0 * h), 1e-8) << "link " << link << ", joint " << i;
-        }
-    }
-}
-
 TEST_P(EveryRobot, MotionBoundsAreNeverExceededAndNotIdle)
 {
     VectorXd lengths, bends, turns;

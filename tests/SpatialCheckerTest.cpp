@@ -76,7 +76,7 @@ TEST(SpatialChecker, CertifiedStretchesNeverCollide)
 {
     std::mt19937 generator(9);
     int firstOrder[obstacleKinds] = {}, secondOrder[obstacleKinds] = {}, collisions[obstacleKinds] = {};
-    for (int trial = 0; trial < 6000; ++trial)
+    for (int trial = 0; trial < 8000; ++trial)
     {
         const int kind = trial % obstacleKinds;
         const Passage passage = randomPassage(trial, generator);
@@ -161,6 +161,13 @@ TEST(SpatialChecker, PlacementsGrowLikeTheLogarithmOfTheGap)
     Eigen::Isometry3d edgeUp(Eigen::AngleAxisd(0.5 * std::acos(0.0), Vector3d::UnitY()));
     edgeUp.pretranslate(Vector3d(0.0, 0.0, -std::sqrt(0.02)));
     const Box box{edgeUp, {0.1, 0.7, 0.1}};
+    // The same box as a prism along y, also without ends, and as one whose end has an edge at the origin.
+    const std::vector<Eigen::Vector2d> square{{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}};
+    Eigen::Isometry3d alongY = edgeUp;
+    alongY.rotate(Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitX()));
+    const Prism prism{square, alongY, 0.7};
+    const Prism ridge{square, alongY, std::numeric_limits<double>::infinity()};
+    const Prism end{{{-0.1, -0.7}, {0.1, -0.7}, {0.1, 0.7}, {-0.1, 0.7}}, edgeUp, 0.1};
     // A cylinder whose rim is at the origin.
     const Vector3d axis = Vector3d(1.0, 0.0, 1.0).normalized();
     const Cylinder rim{-0.5 * axis - 0.2 * Vector3d(-1.0, 0.0, 1.0).normalized(), axis, 0.2, 0.5};
@@ -172,6 +179,9 @@ TEST(SpatialChecker, PlacementsGrowLikeTheLogarithmOfTheGap)
         {0.0, {{"rim", rim}}},
         {0.0, {{"box", box}}},
         {0.0, {{"mesh", boxMesh(box, 3)}}},
+        {0.0, {{"prism", prism}}},
+        {0.0, {{"endless prism", ridge}}},
+        {0.0, {{"end of a prism", end}}},
         {0.1, {}}};  // link against link
     for (const auto &[radius, obstacles] : scenes)
     {

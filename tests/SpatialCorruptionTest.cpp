@@ -48,6 +48,8 @@ public:
         add(scene, {"can", Cylinder{place(), unit(), 0.2, 0.4}});
         add(scene, {"pole", Cylinder{place(), unit(), 0.1, std::numeric_limits<double>::infinity()}});
         add(scene, {"box", anyBox()});
+        const Box hull = anyBox();
+        add(scene, {"wedge", Prism{{{-0.3, -0.2}, {0.4, -0.1}, {0.0, 0.3}}, hull.pose, hull.halfExtents.x()}});
         const Box covered = anyBox();
         scene.model.obstacles.push_back({"mesh", surfaceOf(covered)});
         scene.simple.obstacles.push_back({"mesh", covered});

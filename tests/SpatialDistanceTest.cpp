@@ -129,6 +129,39 @@ TEST(SpatialDistance, OfBoxes)
     EXPECT_GT(tally.inside, 300);
 }
 
+TEST(SpatialDistance, OfPrisms)
+{
+    const Tally tally = examineMany([](std::mt19937 &generator) { return randomPrism(false, generator); });
+    EXPECT_GT(tally.outside, 200);
+    EXPECT_GT(tally.inside, 200);
+}
+
+TEST(SpatialDistance, OfEndlessPrisms)
+{
+    const Tally tally = examineMany([](std::mt19937 &generator) { return randomPrism(true, generator); });
+    EXPECT_GT(tally.outside, 200);
+    EXPECT_GT(tally.inside, 200);
+}
+
+/// Whatever a box is, the prism over its face is.
+TEST(SpatialDistance, OfBoxesThatArePrisms)
+{
+    std::mt19937 generator(13);
+    for (int trial = 0; trial < 1000; ++trial)
+    {
+        const Box box = randomBox(generator);
+        const double x = box.halfExtents.x(), y = box.halfExtents.y();
+        const Prism prism{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}, box.pose, box.halfExtents.z()};
+        const Vector3d a = randomPoint(2.0, generator), b = randomPoint(2.0, generator);
+        const Nearness one = nearness(a, b, box), other = nearness(a, b, prism);
+        ASSERT_NEAR(one.distance, other.distance, 1e-12) << "trial " << trial;
+        if (one.distance > 1e-3)
+        {
+            ASSERT_NEAR((one.foot() - other.foot()).norm(), 0.0, 1e-9) << "trial " << trial;
+        }
+    }
+}
+
 TEST(SpatialDistance, OfSegmentsThatLieParallelToWhatTheyPass)
 {
     const Box box{Eigen::Isometry3d::Identity(), {1.0, 0.5, 0.25}};
@@ -139,6 +172,14 @@ TEST(SpatialDistance, OfSegmentsThatLieParallelToWhatTheyPass)
     EXPECT_DOUBLE_EQ(nearness(Vector3d(-3.0, 0.0, 1.0), Vector3d(3.0, 0.0, 1.0), cylinder).distance, 0.5);
     EXPECT_DOUBLE_EQ(nearness(Vector3d(2.0, -3.0, 0.0), Vector3d(2.0, 3.0, 0.0), cylinder).distance, 1.0);
     EXPECT_DOUBLE_EQ(nearness(Vector3d(-3.0, 0.0, 0.0), Vector3d(3.0, 0.0, 0.0), cylinder).distance, -0.5);
+    Prism roof{{{-1.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, Eigen::Isometry3d::Identity(), 0.5};
+    EXPECT_DOUBLE_EQ(nearness(Vector3d(-3.0, -2.0, 0.0), Vector3d(3.0, -2.0, 0.0), roof).distance, 2.0);
+    EXPECT_DOUBLE_EQ(nearness(Vector3d(0.0, 2.0, -3.0), Vector3d(0.0, 2.0, 3.0), roof).distance, 1.0);
+    EXPECT_DOUBLE_EQ(nearness(Vector3d(1.0, 2.0, 0.0), Vector3d(2.0, 1.0, 0.0), roof).distance, std::sqrt(2.0));
+    EXPECT_DOUBLE_EQ(nearness(Vector3d(-3.0, 0.25, 2.5), Vector3d(3.0, 0.25, 2.5), roof).distance, 2.0);
+    EXPECT_DOUBLE_EQ(nearness(Vector3d(0.0, 0.25, -3.0), Vector3d(0.0, 0.25, 3.0), roof).distance, -0.25);
+    roof.halfLength = std::numeric_limits<double>::infinity();
+    EXPECT_DOUBLE_EQ(nearness(Vector3d(0.0, 2.0, 1e6), Vector3d(0.0, 2.0, 2e6), roof).distance, 1.0);
     const Capsule capsule{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.5};
     EXPECT_DOUBLE_EQ(nearness(Vector3d(-3.0, 0.0, 1.0), Vector3d(3.0, 0.0, 1.0), capsule).distance, 0.5);
     EXPECT_DOUBLE_EQ(nearness(Vector3d(2.0, 0.0, 0.0), Vector3d(3.0, 0.0, 0.0), capsule).distance, 0.5);

@@ -39,6 +39,25 @@ struct DistanceOfPoint
         return outside((box.pose.inverse() * point).cwiseAbs() - box.halfExtents);
     }
 
+    /// The nearest corner of the section's own plane cut by its sides' lines: the deepest of the sides inside, else the
+    /// nearest point of any side.
+    double operator()(const Prism &prism) const
+    {
+        const Eigen::Vector3d local = prism.pose.inverse() * point;
+        double across = -std::numeric_limits<double>::infinity(), nearest = -across;
+        for (std::size_t i = 0; i < prism.vertices.size(); ++i)
+        {
+            const Eigen::Vector2d &from = prism.vertices[i], &to = prism.vertices[(i + 1) % prism.vertices.size()];
+            const Eigen::Vector2d side = to - from, way = local.head<2>() - from;
+            across = std::max(across, (side.y() * way.x() - side.x() * way.y()) / side.norm());
+            const double t = std::clamp(way.dot(side) / side.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (way - t * side).norm());
+        }
+        const double beyond = std::abs(local.z()) - prism.halfLength;
+        const double beside = across <= 0.0 ? across : nearest;
+        return outside(Eigen::Vector3d(beside, beyond, -std::numeric_limits<double>::infinity()));
+    }
+
     double operator()(const Mesh &) const { throw std::logic_error("ask for the box that the mesh covers"); }
 
 private:

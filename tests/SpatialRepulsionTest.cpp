@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "SpatialScenes.h"
-#include "kernel/BoxPole.h"
+#include "kernel/EdgedPole.h"
 
 namespace narrows
 {
@@ -166,9 +166,10 @@ TEST(SpatialRepulsion, SpheresAndPipesHaveThePapersFunction)
 }
 
 /// The distance's slope jumps where a link swings through the position parallel to a face; the stand-in's must not.
-TEST(BoxPole, IsSmoothWhereALinkIsParallelToAFace)
+TEST(EdgedPole, IsSmoothWhereALinkIsParallelToAFace)
 {
-    const BoxPole pole({Eigen::Isometry3d::Identity(), {2.0, 1.0, 0.5}});
+    const Box box{Eigen::Isometry3d::Identity(), {2.0, 1.0, 0.5}};
+    const EdgedPole pole(box);
     const auto tilted = [&](double tilt)
     {
         return pole.clearance({-0.5, 0.2, 0.8 + tilt}, {0.5, 0.3, 0.8 - tilt}, 0.05);
@@ -177,24 +178,48 @@ TEST(BoxPole, IsSmoothWhereALinkIsParallelToAFace)
     EXPECT_LT((before.slope.a - after.slope.a).norm(), 1e-4);
     EXPECT_LT((before.slope.b - after.slope.b).norm(), 1e-4);
     // The distance itself goes from one end to the other.
-    const Nearness left = nearness(Vector3d(-0.5, 0.2, 0.8 - 1e-6), Vector3d(0.5, 0.3, 0.8 + 1e-6), pole.box());
-    const Nearness right = nearness(Vector3d(-0.5, 0.2, 0.8 + 1e-6), Vector3d(0.5, 0.3, 0.8 - 1e-6), pole.box());
+    const Nearness left = nearness(Vector3d(-0.5, 0.2, 0.8 - 1e-6), Vector3d(0.5, 0.3, 0.8 + 1e-6), box);
+    const Nearness right = nearness(Vector3d(-0.5, 0.2, 0.8 + 1e-6), Vector3d(0.5, 0.3, 0.8 - 1e-6), box);
     EXPECT_EQ(left.fraction, 0.0);
     EXPECT_EQ(right.fraction, 1.0);
 }
 
-TEST(BoxPole, IsNeverMoreThanTheClearanceAndMeetsItAtContact)
+/// The edges of a box are those of the prism over its face, and endless ones do not end where a link can be.
+TEST(EdgedPole, IsTheSameForABoxAndForItAsAPrism)
+{
+    std::mt19937 generator(24);
+    for (int trial = 0; trial < 300; ++trial)
+    {
+        const Box box = randomBox(generator);
+        const double x = box.halfExtents.x(), y = box.halfExtents.y();
+        Prism prism{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}, box.pose, box.halfExtents.z()};
+        const Vector3d a = randomPoint(2.0, generator), b = randomPoint(2.0, generator);
+        const SpatialTerm one = EdgedPole(box).clearance(a, b, 0.05),
+                          other = EdgedPole(prism, 4.0).clearance(a, b, 0.05);
+        ASSERT_NEAR(one.value, other.value, 1e-12);
+        if (one.value > 0.0)  // inside, two faces may be as near as each other
+        {
+            ASSERT_LT((one.slope.a - other.slope.a).norm() + (one.slope.b - other.slope.b).norm(), 1e-9);
+        }
+        prism.halfLength = std::numeric_limits<double>::infinity();
+        ASSERT_NEAR(EdgedPole(prism, 4.0).clearance(a, b, 0.05).value,
+                    EdgedPole(prism, 400.0).clearance(a, b, 0.05).value, 1e-12);
+    }
+}
+
+TEST(EdgedPole, IsNeverMoreThanTheClearanceAndMeetsItAtContact)
 {
     std::mt19937 generator(20);
     int clear = 0;
     for (int trial = 0; trial < 3000; ++trial)
     {
-        const Box box = randomBox(generator);
+        const EdgedPole pole =
+            trial % 2 == 0 ? EdgedPole(randomBox(generator)) : EdgedPole(randomPrism(trial % 4 == 1, generator), 4.0);
         const Vector3d a = randomPoint(2.0, generator), b = randomPoint(2.0, generator);
-        const double distance = nearness(a, b, box).distance;
+        const double distance = pole.nearest(a, b).distance;
         for (const double radius : {0.0, 0.02, distance - 1e-9})
         {
-            const double value = BoxPole(box).clearance(a, b, std::max(radius, 0.0)).value;
+            const double value = pole.clearance(a, b, std::max(radius, 0.0)).value;
             const double exact = distance - std::max(radius, 0.0);
             ASSERT_LE(value, exact + 1e-12);
             ASSERT_EQ(value > 0.0, exact > 0.0);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalState.h>
 
-#include "TinySpatialProblem.h"
+#include "TipPathScenes.h"
 #include "benchmark/PathFile.h"
 #include "benchmark/RunOnce.h"
 #include "planners/PlannerFactory.h"
@@ -94,6 +94,31 @@ TEST(SpatialRunRecord, IsUnsupportedForPlannersOfThePlane)
     const Record record = runOnce(specOf(tinySpatialScenario(), "xxl"));
     EXPECT_EQ(record.outcome, Outcome::Unsupported);
     EXPECT_FALSE(record.reason.empty());
+}
+
+TEST(SpatialRunRecord, TellsHowATipPathWasFollowed)
+{
+    const Record led = runOnce(specOf(tinyTipPathScenario(), "rrtconnect"));
+    ASSERT_EQ(led.outcome, Outcome::Solved) << led.reason;
+    EXPECT_FALSE(led.usesModel);
+    EXPECT_EQ(led.measures.at("points_reached"), 3.0);
+    EXPECT_GT(led.tipDeviation.value(), 0.05) << "it goes as it likes between the points";
+    EXPECT_LE(led.largestBend.value(), 1.5);
+    EXPECT_FALSE(led.closure);
+
+    const Scenario square = manipulatorScenario({{3126.0, 0.0, -200.0}, {3126.0, 200.0, -200.0}, {3126.0, 0.0, 0.0}});
+    const RunSpec spec = specOf(square, "ikdls");
+    const Record record = runOnce(spec);
+    ASSERT_EQ(record.outcome, Outcome::Solved) << record.reason;
+    EXPECT_TRUE(record.usesModel);
+    EXPECT_LT(record.tipDeviation.value(), 0.2);
+    EXPECT_NEAR(record.tipLength.value(), 400.0 + 200.0 * std::sqrt(2.0), 1.0);
+    EXPECT_EQ(record.movedJoints.value(), 16) << "damped least squares moves them all";
+    EXPECT_GT(record.closure.value(), 0.0);
+    const Record again = recordFromJson(toJson(spec, record));
+    EXPECT_EQ(again.tipDeviation, record.tipDeviation);
+    EXPECT_EQ(again.closure, record.closure);
+    EXPECT_EQ(again.movedJoints, record.movedJoints);
 }
 
 TEST(SpatialRunRecord, CanBeReadBackAndVerified)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -177,6 +178,82 @@ TEST(SpatialScenarioReader, ReadsEveryKindOfObstacle)
         onlyShape<Box>(small("[{kind: box, min: [4, 4, 4], max: [5, 8, 6], rotation: {axis: z, angle: 90 deg}}]"));
     EXPECT_EQ(box.halfExtents, Vector3d(0.5, 2.0, 1.0));
     EXPECT_TRUE((box.pose * Vector3d(0, 2, 0)).isApprox(Vector3d(2.5, 6.0, 5.0), 1e-12)) << "about its own center";
+}
+
+TEST(SpatialScenarioReader, ReadsPrismsAlongEveryAxis)
+{
+    const auto prism = [](const std::string &rest)
+    {
+        return onlyShape<Prism>(
+            small("[{kind: prism, vertices: [[4, 5], [4, 8], [6, 5]], " + rest + "}]"));  // turned clockwise
+    };
+    const auto corner = [](const Prism &one, double height)
+    {
+        return Vector3d(one.pose * Vector3d(4, 8, height));
+    };
+    const Prism along = prism("axis: x, length: 3");
+    EXPECT_EQ(along.vertices, (std::vector<Eigen::Vector2d>{{6, 5}, {4, 8}, {4, 5}})) << "counter-clockwise";
+    EXPECT_EQ(along.halfLength, 1.5);
+    EXPECT_EQ(along.axis(), Vector3d(1, 0, 0));
+    EXPECT_EQ(corner(along, 1.5), Vector3d(1.5, 4, 8)) << "the section's coordinates are y and z";
+    EXPECT_EQ(corner(prism("axis: y, length: 3"), 0.0), Vector3d(4, 0, 8));
+    EXPECT_EQ(corner(prism("axis: z, length: 3"), 1.5), Vector3d(4, 8, 1.5));
+    EXPECT_EQ(corner(prism("axis: [-2, 0, 0], length: 3"), 0.0), Vector3d(0, 4, 8));
+    EXPECT_EQ(corner(prism("axis: x, center: [1, 2, 3], length: inf"), 0.0), Vector3d(1, 6, 11));
+    EXPECT_EQ(prism("axis: x, length: inf").halfLength, std::numeric_limits<double>::infinity());
+    const Prism slanted = prism("axis: [0, 3, 4], length: inf");
+    EXPECT_TRUE(corner(slanted, 0.0).isApprox(Vector3d(4.0, -6.4, 4.8), 1e-12)) << "level x, upright y";
+    for (const Prism &one : {along, slanted, prism("axis: y, length: 3"), prism("axis: [1, -1, 1], length: 3")})
+        EXPECT_NEAR(one.pose.linear().determinant(), 1.0, 1e-12) << "a rotation, not a mirror image";
+}
+
+TEST(SpatialScenarioReader, CornersOnStraightSidesOfAPrismDoNoHarm)
+{
+    EXPECT_EQ(onlyShape<Prism>(small("[{kind: prism, axis: x, vertices: [[4, 5], [6, 5], [6, 6], [6, 7], [4, 7]], "
+                                     "length: inf}]"))
+                  .vertices.size(),
+              5u);
+}
+
+TEST(SpatialScenarioReader, ReadsATipPath)
+{
+    const Scenario scenario = small("[]", "links: [{length: 1}, {length: 1}]", "{joints: [[0, 0], [0, 0]]}",
+                                    "{tip_path: [[2, 0, 0], [1, 0, 1], [1, 0, 1]], tolerance: 1e-3}");
+    const auto &goal = std::get<SpatialTipPath>(scenario.spatial().task.goal);
+    EXPECT_EQ(goal.link, 1);
+    EXPECT_EQ(goal.tolerance, 1e-3);
+    EXPECT_EQ(goal.points, (std::vector<Vector3d>{{2, 0, 0}, {1, 0, 1}, {1, 0, 1}}));
+    const Scenario first = small("[]", "links: [{length: 1}, {length: 1}]", "{joints: [[0, 0], [0, 0]]}",
+                                 "{tip_path: [[1, 0, 0]], tolerance: 1e-3, link: 1}");
+    EXPECT_EQ(std::get<SpatialTipPath>(first.spatial().task.goal).link, 0);
+}
+
+/// The whole of the VDSM paper's task: start straight, and all places of the tip free for it.
+TEST(SpatialScenarioReader, TheSquareOfVdsmIsReadWithoutFaults)
+{
+    for (const auto &[name, count] :
+         {std::pair{"none", 14}, std::pair{"obs1", 87}, std::pair{"obs2", 60}, std::pair{"obs3", 14}})
+    {
+        const Scenario scenario = readScenario(folder + "vdsm_" + name + ".yaml");
+        const SpatialArm &arm = scenario.spatial().model->arm;
+        const auto &goal = std::get<SpatialTipPath>(scenario.spatial().task.goal);
+        EXPECT_EQ(arm.dimension(), 17);
+        EXPECT_EQ(tipOf(arm, scenario.spatial().task.start), Vector3d(3126, 0, 0)) << name;
+        EXPECT_EQ(goal.points.front(), Vector3d(3126, 0, 0)) << name;
+        EXPECT_EQ(goal.points.back(), Vector3d(3126, 0, 0)) << name;
+        EXPECT_EQ(static_cast<int>(goal.points.size()), count) << name;
+        for (const Vector3d &corner :
+             {Vector3d(3126, 1000, 1300), Vector3d(3126, -500, 1300), Vector3d(3126, -500, -200)})
+            EXPECT_EQ(std::count(goal.points.begin(), goal.points.end(), corner), 1) << name;
+        double nearest = 3126.0;
+        for (const Vector3d &point : goal.points)
+            nearest = std::min(nearest, point.x());
+        EXPECT_NEAR(nearest, 3026.0, 0.1) << name << ": drawn back by 100";
+    }
+    for (const char *leg : {"corner", "edge"})
+        EXPECT_EQ(
+            std::get<SpatialTipGoal>(readScenario(folder + "vdsm_leg_" + leg + ".yaml").spatial().task.goal).point.x(),
+            3126.0);
 }
 
 TEST(SpatialScenarioReader, AClosedMeshIsASolidWhoseNormalsPointOutwards)

@@ -7,7 +7,8 @@
 
 namespace narrows
 {
-/// A random obstacle of the given kind: 0 sphere, 1 capsule, 2 cylinder, 3 cylinder without ends, 4 box, 5 closed mesh.
+/// A random obstacle of the given kind: 0 sphere, 1 capsule, 2 cylinder, 3 cylinder without ends, 4 box, 5 closed mesh,
+/// 6 prism, 7 prism without ends.
 inline SpatialObstacle randomObstacle(int kind, std::mt19937 &generator)
 {
     const double size = 0.05 + 0.4 * randomPoint(1.0, generator).cwiseAbs().x();
@@ -23,11 +24,15 @@ inline SpatialObstacle randomObstacle(int kind, std::mt19937 &generator)
             return {"pipe", randomCylinder(true, generator)};
         case 4:
             return {"box", randomBox(generator)};
+        case 6:
+            return {"prism", randomPrism(false, generator)};
+        case 7:
+            return {"endless prism", randomPrism(true, generator)};
         default:
             return {"mesh", boxMesh(randomBox(generator), 3)};
     }
 }
-constexpr int obstacleKinds = 6;
+constexpr int obstacleKinds = 8;
 
 /// Exact signed distance between a segment and an obstacle, as the kernel has it.
 inline Nearness nearnessOf(const SpatialObstacle &obstacle, const Eigen::Vector3d &a, const Eigen::Vector3d &b)
@@ -55,6 +60,7 @@ struct ShiftBy
     }
     void operator()(Cylinder &cylinder) const { cylinder.center += way; }
     void operator()(Box &box) const { box.pose.pretranslate(way); }
+    void operator()(Prism &prism) const { prism.pose.pretranslate(way); }
     void operator()(Mesh &mesh) const
     {
         for (Eigen::Vector3d &vertex : mesh.vertices)

@@ -33,6 +33,12 @@ ConvexSet<3> can()
     return only({"can", Cylinder{{0, 0, 1}, {0, 0, 1}, 2.0, 1.0}});
 }
 
+/// Upright, over a right-angled triangle.
+ConvexSet<3> wedge(double halfLength)
+{
+    return only({"wedge", Prism{{{0, 0}, {4, 0}, {0, 3}}, Isometry3d::Identity(), halfLength}});
+}
+
 ConvexSet<3> triangle()
 {
     return only({"triangle", Mesh{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}, false}});
@@ -69,6 +75,15 @@ TEST(SpatialSeparation, OfAnyTwoFeaturesByHand)
     expectDistance(can(), {{3, 4, 7}, {3, 4, -7}}, 3.0);                      // mantle against a parallel
     expectDistance(can(), {{6, 0, 5}, {7, 1, 6}}, 5.0);                       // rim against end
     expectDistance(can(), {{0, 0, 4}, {4, 0, 2}}, 4.0 / std::sqrt(20.0));     // rim against the middle
+    for (const double half : {1.0, std::numeric_limits<double>::infinity()})
+    {
+        expectDistance(wedge(half), {{-3, -4, 0.5}, {-6, -9, 0.5}}, 5.0);  // edge against end
+        expectDistance(wedge(half), {{5, 5.5, 0}, {9, 9, 0.5}}, 5.0);      // side against end
+        expectDistance(wedge(half), {{-3, -4, -7}, {-3, -4, 7}}, 5.0);     // edge against a parallel
+    }
+    expectDistance(wedge(1.0), {{1, 1, 4}, {1, 1, 9}}, 3.0);                                          // top against end
+    expectDistance(wedge(1.0), {{-1, -1, 2}, {-3, -3, 9}}, std::sqrt(3.0));                           // corner
+    expectDistance(wedge(std::numeric_limits<double>::infinity()), {{5, 5.5, 50}, {9, 9, 60}}, 5.0);  // no end
     expectDistance(only({"ball", Sphere{{1, 2, 3}, 0.5}}), {{4, 0, 3}, {4, 9, 3}}, 3.0);  // of the core: a point
     expectDistance(only({"rod", Capsule{{0, 0, 0}, {1, 0, 0}, 0.5}}), {{0.5, 1, 2}, {0.5, 1, -2}}, 1.0);
     const Vector3d along = Vector3d(1, 2, 2) / 3.0, across = Vector3d(2, 1, -2) / 3.0;
@@ -80,7 +95,7 @@ TEST(SpatialSeparation, OfAnyTwoFeaturesByHand)
 TEST(SpatialSeparation, HasNoSeparatingPlaneForSetsThatMeet)
 {
     const Segment<3> through{{0.3, 0.4, -2}, {0.31, 0.42, 3}}, inside{{0.3, 0.4, 0.5}, {0.4, 0.6, 0.7}};
-    for (const ConvexSet<3> &set : {unitCube(), can()})
+    for (const ConvexSet<3> &set : {unitCube(), can(), wedge(1.0), wedge(std::numeric_limits<double>::infinity())})
         for (const Segment<3> &segment : {through, inside})
         {
             const Separation<3> found = distanceOf(set, segment);

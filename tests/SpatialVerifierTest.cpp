@@ -70,6 +70,16 @@ SpatialObstacle asMesh(const SpatialObstacle &obstacle)
     return {obstacle.name, surfaceOf(std::get<Box>(obstacle.shape))};
 }
 
+/// The same box as a prism along x, which may go on forever.
+SpatialObstacle asPrism(const SpatialObstacle &obstacle, bool endless = false)
+{
+    const Box &box = std::get<Box>(obstacle.shape);
+    const double y = box.halfExtents.y(), z = box.halfExtents.z();
+    Isometry3d pose = box.pose;
+    pose.linear() << Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX();
+    return {obstacle.name, Prism{{{-y, -z}, {y, -z}, {y, z}, {-y, z}}, pose, endless ? infinity : box.halfExtents.x()}};
+}
+
 TEST(SpatialVerifier, MeasuresASwingPastEveryShape)
 {
     const Rows swing = rows({{-1.0}, {1.0}});
@@ -85,9 +95,15 @@ TEST(SpatialVerifier, MeasuresASwingPastEveryShape)
          {box("B", {1.25, -1, -1}, {2, 1, 1}), box("B", {0.25, 0.1, 0.25}, {1, 1, 1})})
     {
         expectClearance(judge(pointer({obstacle}), swing), 0.25);
+        expectClearance(judge(pointer({asPrism(obstacle)}), swing), 0.25);
         expectClearance(judge(pointer({asMesh(obstacle)}), swing), 0.25);
         expectClearance(judge(pointer({asMesh(obstacle)}, 0.125), swing), 0.125);
     }
+    const Isometry3d upright = Isometry3d::Identity();
+    const std::vector<Eigen::Vector2d> wedge{{1.25, 0}, {2, -1}, {2, 1}};
+    expectClearance(judge(pointer({{"P", Prism{wedge, upright, 3.0}}}), swing), 0.25);
+    expectClearance(judge(pointer({{"P", Prism{wedge, upright, infinity}}}, 0.125), swing), 0.125);
+    expectClearance(judge(pointer({asPrism(box("P", {7, -1, 0.75}, {9, 1, 2}), true)}), swing), 0.75);
     EXPECT_EQ(judge(pointer({}), swing).clearance, infinity);
 }
 
@@ -99,7 +115,8 @@ TEST(SpatialVerifier, RefusesASwingIntoEveryShape)
          {SpatialObstacle{"hit", Sphere{{1.2, 0.5, 0.1}, 0.35}}, SpatialObstacle{"hit", Sphere{{0.5, 0, 0}, 1e-4}},
           SpatialObstacle{"hit", Capsule{{0.9, 0, -2}, {0.9, 0, 2}, 1e-3}},
           SpatialObstacle{"hit", Cylinder{{0.9, 0, 0.5}, {0, 0, 1}, 1e-3, 0.5001}},
-          SpatialObstacle{"hit", Cylinder{{0.9, 0, 7}, {0, 0, 1}, 1e-3, infinity}}, thin, asMesh(thin)})
+          SpatialObstacle{"hit", Cylinder{{0.9, 0, 7}, {0, 0, 1}, 1e-3, infinity}}, thin, asMesh(thin), asPrism(thin),
+          SpatialObstacle{"hit", Prism{{{0.9, -1e-4}, {1.1, -1e-4}, {0.9, 1e-4}}, Isometry3d::Identity(), infinity}}})
     {
         const Verdict verdict = judge(pointer({{"far", Sphere{{5, 5, 5}, 1}}, obstacle}), swing);
         expectRefusal(verdict, "collision", 0);
@@ -121,7 +138,9 @@ TEST(SpatialVerifier, TellsFreeFromTouchingInANarrowSlot)
         const SpatialObstacle above = box("above", {-0.5, -1, gap}, {0.5, 1, 2});
         const SpatialObstacle below = box("below", {-0.5, -1, -2}, {0.5, 1, -gap});
         const SpatialObstacle beside{"beside", Cylinder{{0, gap + 1, 0}, {1, 0, 0}, 1.0, 0.5}};
-        for (const SpatialModel &model : {bolt({above, below, beside}, 0.1), bolt({asMesh(above), asMesh(below)}, 0.1)})
+        for (const SpatialModel &model :
+             {bolt({above, below, beside}, 0.1), bolt({asMesh(above), asMesh(below)}, 0.1),
+              bolt({asPrism(above), asPrism(below)}, 0.1), bolt({asPrism(above, true), asPrism(below, true)}, 0.1)})
         {
             expectClearance(judge(model, through, 1e-4), clearance, clearance);
             expectClearance(judge(model, through, 1e-11), clearance, 1e-11);
@@ -129,6 +148,8 @@ TEST(SpatialVerifier, TellsFreeFromTouchingInANarrowSlot)
         const SpatialObstacle tight = box("above", {-0.5, -1, 0.1 - clearance}, {0.5, 1, 2});
         expectRefusal(judge(bolt({tight}, 0.1), through), "collision", 0);
         expectRefusal(judge(bolt({asMesh(tight)}, 0.1), through), "collision", 0);
+        expectRefusal(judge(bolt({asPrism(tight)}, 0.1), through), "collision", 0);
+        expectRefusal(judge(bolt({asPrism(tight, true)}, 0.1), through), "collision", 0);
     }
 }
 
@@ -144,7 +165,8 @@ TEST(SpatialVerifier, TellsFreeFromTouchingWhereALinkSwingsBy)
                  {SpatialObstacle{"S", Sphere{{1.5 + gap, 0, 0}, 0.5}},
                   SpatialObstacle{"C", Capsule{{1.5 + gap, 0, 0}, {1.5 + gap, 0.1, 5}, 0.5}},
                   SpatialObstacle{"Y", Cylinder{{1.5 + gap, 0, 0}, {0, 0, 1}, 0.5, 2.0}},
-                  SpatialObstacle{"end", Cylinder{{2 + gap, 0, 0.3}, {1, 0, 0}, 0.5, 1.0}}, wall, asMesh(wall)})
+                  SpatialObstacle{"end", Cylinder{{2 + gap, 0, 0.3}, {1, 0, 0}, 0.5, 1.0}}, wall, asMesh(wall),
+                  asPrism(wall)})
             {
                 SCOPED_TRACE(obstacle.name + " " + std::to_string(gap));
                 const Verdict verdict = judge(pointer({obstacle}), swing);
@@ -170,13 +192,16 @@ TEST(SpatialVerifier, NeedsFewLooksHoweverNarrowItIs)
         const Vector3d edge(-1 - clearance, 0.7, 0), center(-1.3 - clearance, 0.7, 0);
         const Isometry3d turned = Eigen::Translation3d(edge - std::sqrt(0.5) * Vector3d::UnitX()) *
                                   Eigen::AngleAxisd(pi / 4, Vector3d::UnitZ());
+        const std::vector<Eigen::Vector2d> square{{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
         const Mesh triangle{{edge + Vector3d::UnitZ(), edge - Vector3d::UnitZ(), {-2, 0.7, 0}}, {{0, 1, 2}}, false};
         for (const SpatialObstacle &obstacle :
              {SpatialObstacle{"ball", Sphere{center, 0.3}},
               SpatialObstacle{"can", Cylinder{center, {0, 0, 1}, 0.3, 1.0}},
               SpatialObstacle{"rod", Capsule{center - slanted, center + slanted, 0.3}},
               SpatialObstacle{"endless", Cylinder{center, slanted, 0.3, infinity}},
-              SpatialObstacle{"box", Box{turned, {0.5, 0.5, 0.5}}}, SpatialObstacle{"triangle", triangle}})
+              SpatialObstacle{"box", Box{turned, {0.5, 0.5, 0.5}}}, SpatialObstacle{"triangle", triangle},
+              SpatialObstacle{"prism", Prism{square, turned, 0.5}},
+              SpatialObstacle{"endless prism", Prism{square, turned, infinity}}})
         {
             const Verdict verdict = judge({arm, {obstacle}}, glide, 1e-4);
             SCOPED_TRACE(obstacle.name + " " + std::to_string(clearance));
@@ -226,6 +251,39 @@ TEST(SpatialVerifier, FollowsAChainOfUniversalJoints)
     EXPECT_TRUE(verify({arm, {}}, task, path).accepted);
     expectRefusal(verify({arm, {}}, {path.front(), SpatialTipGoal{1, above, 1e-6}}, path), "goal", 1);
     EXPECT_THROW(verify({arm, {}}, {path.front(), SpatialTipGoal{2, above, 1e-6}}, path), std::invalid_argument);
+}
+
+TEST(SpatialVerifier, WantsTheTipsOfAPathInTheirOrder)
+{
+    const SpatialModel model = pointer({});
+    const Rows path = rows({{0.0}, {0.5}, {1.0}, {0.5}});
+    const auto at = [](double q)
+    {
+        return Vector3d(std::cos(q), std::sin(q), 0.0);
+    };
+    const auto judgeTips = [&](const std::vector<Vector3d> &tips, double tolerance = 1e-9)
+    {
+        return verify(model, {path.front(), SpatialTipPath{0, tips, tolerance}}, path);
+    };
+    EXPECT_TRUE(judgeTips({at(0.5)}).accepted);
+    EXPECT_TRUE(judgeTips({at(0.0), at(0.5), at(1.0), at(0.5)}).accepted);
+    EXPECT_TRUE(judgeTips({at(0.5), at(0.5), at(1.0), at(0.5), at(0.5)}).accepted) << "one waypoint, several tips";
+    EXPECT_TRUE(judgeTips({at(1.0), at(0.501)}, 1.001e-3).accepted);
+    const auto expectMissed = [](const Verdict &verdict, int tip)
+    {
+        expectRefusal(verdict, "tip_path", 3);
+        EXPECT_EQ(verdict.tip, tip);
+    };
+    expectMissed(judgeTips({at(1.0), at(0.501)}, 0.999e-3), 1);
+    expectMissed(judgeTips({at(0.25)}), 0);  // on the way, but at no waypoint
+    expectMissed(judgeTips({at(1.0), at(0.5), at(1.0)}), 2);
+    expectMissed(judgeTips({at(0.5), at(0.0), at(0.5)}), 1);
+    expectRefusal(judgeTips({at(0.5), at(1.0)}), "goal", 3);
+    EXPECT_EQ(judgeTips({at(0.5), at(1.0)}).tip, -1);
+    const SpatialTask task{path.front(), SpatialTipPath{0, {at(1.0), at(0.5)}, 1e-9}};
+    expectRefusal(verify(pointer({{"S", Sphere{at(0.25), 0.01}}}), task, path), "collision", 0);
+    EXPECT_THROW(judgeTips({}), std::invalid_argument);
+    EXPECT_THROW(verify(model, {path.front(), SpatialTipPath{1, {at(0.5)}, 1e-9}}, path), std::invalid_argument);
 }
 
 TEST(SpatialVerifier, ChecksLimits)

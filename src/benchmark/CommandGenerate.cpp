@@ -24,10 +24,17 @@ struct GenerateOptions
     std::string witness;
 };
 
-std::string witnessJson(const CircleScene &scene)
+/// A free path from start to goal; empty if none is known.
+std::vector<Eigen::VectorXd> witnessOf(const Scene &scene)
+{
+    const auto *circles = std::get_if<CircleScene>(&scene);
+    return circles != nullptr ? circles->witness : std::vector<Eigen::VectorXd>{};
+}
+
+std::string witnessJson(const std::vector<Eigen::VectorXd> &witness)
 {
     nlohmann::json rows = nlohmann::json::array();
-    for (const Eigen::VectorXd &q : scene.witness)
+    for (const Eigen::VectorXd &q : witness)
         rows.push_back(std::vector<double>(q.begin(), q.end()));
     return nlohmann::json{{"angles", rows}}.dump() + "\n";
 }
@@ -37,11 +44,12 @@ int generate(const GenerateOptions &options)
     const GenerateSettings settings = assignments("--param", options.parameters);
     const Family &family = findFamily(options.family);
     const FamilyValues values = family.values({settings.begin(), settings.end()});
-    const CircleScene scene = family.draw(values);
+    const Scene scene = family.draw(values);
+    const std::vector<Eigen::VectorXd> witness = witnessOf(scene);
     const std::string name = options.name.empty() ? nameWith(family.name, settings) : options.name;
     const std::string text = toYaml(scene, name, family.describe(values));
     parseScenario(text, "--name");  // which is all that can be wrong with it
-    if (!options.witness.empty() && scene.witness.empty())
+    if (!options.witness.empty() && witness.empty())
         throw std::invalid_argument("--witness: no witness is known for the family " + family.name);
 
     if (options.output.empty())
@@ -49,7 +57,7 @@ int generate(const GenerateOptions &options)
     else
         writeFile(options.output, text);
     if (!options.witness.empty())
-        writeFile(options.witness, witnessJson(scene));
+        writeFile(options.witness, witnessJson(witness));
     return ExitDone;
 }
 }  // namespace

@@ -36,6 +36,32 @@ start: {angles: [0, 0]}
 goal: {angles: [1, 1]}
 )";
 
+/// The same for planners that only know robots in space.
+constexpr const char *smallProblemInSpace = R"(format: narrows/scenario/1
+name: two-links-in-space
+robot:
+  kind: spatial_arm
+  joints: universal
+  base: {origin: [0, 0, 0], slide: {axis: [1, 0, 0], limits: [-1, 1]}}
+  links: [{length: 1}, {length: 1}]
+  radius: 0.05
+  max_link_angle: 40 deg
+obstacles:
+  - {name: C, kind: cylinder, axis: x, center: [0, 5, 0], radius: 1, length: inf}
+start: {slide: 0, joints: [[0, 0], [0, 0]]}
+goal: {tip: [2, 0.5, 0], tolerance: 0.001}
+)";
+
+/// One of the two that the planner can do, if it can do either.
+Problem smallProblemFor(const std::string &planner)
+{
+    Problem inPlane = makeProblem(parseScenario(smallProblem, "built-in problem"));
+    if (whyUnsupported(planner, inPlane.context).empty())
+        return inPlane;
+    Problem inSpace = makeProblem(parseScenario(smallProblemInSpace, "built-in problem"));
+    return whyUnsupported(planner, inSpace.context).empty() ? inSpace : inPlane;
+}
+
 Json listPlanners()
 {
     Json list = Json::array();
@@ -117,7 +143,7 @@ void printTable(const Json &list)
 Json describePlanner(const std::string &name)
 {
     const PlannerEntry &entry = findPlanner(name);
-    const Problem problem = makeProblem(parseScenario(smallProblem, "built-in problem"));
+    const Problem problem = smallProblemFor(name);
     const ob::PlannerPtr planner = makePlanner(name, problem.context);
     Json parameters = Json::array();
     for (const auto &[parameter, value] : planner->params().getParams())

@@ -68,6 +68,11 @@ void printHuman(const RunSpec &spec, const Record &record)
     printLine("motion checks", record.motionChecks);
     printLine("evaluations", record.evaluations);
     printLine("largest step", record.maxJointStep, "rad");
+    printLine("largest bend", record.largestBend, "rad");
+    printLine("moved joints", record.movedJoints);
+    printLine("tip's way", record.tipLength);
+    printLine("tip deviates", record.tipDeviation);
+    printLine("closure", record.closure, "rad");
     printLine("simplified", record.simplifiedLength, "rad");
     for (const auto &[name, value] : record.measures)
         printLine<double>(name, value);

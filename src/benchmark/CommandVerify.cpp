@@ -32,6 +32,8 @@ int verifyFile(const std::string &scenarioFile, const std::string &pathFile)
         std::cout << ", link " << verdict.otherLink;
     if (!verdict.obstacle.empty())
         std::cout << ", obstacle " << verdict.obstacle;
+    if (verdict.tip >= 0)
+        std::cout << ", tip " << verdict.tip;
     std::cout << "\n";
     return ExitNot;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <ompl/base/PlannerData.h>
 
+#include "kernel/PathMeasures.h"
 #include "planners/ModelPlanner.h"
 
 namespace narrows
@@ -43,7 +44,22 @@ std::string refusal(const Verdict &verdict)
         text += fmt::format(", link {}", verdict.otherLink);
     if (!verdict.obstacle.empty())
         text += fmt::format(", obstacle {}", verdict.obstacle);
+    if (verdict.tip >= 0)
+        text += fmt::format(", tip {}", verdict.tip);
     return text;
+}
+
+void measureInSpace(const Scenario &scenario, const std::vector<Eigen::VectorXd> &rows, Record &record)
+{
+    if (scenario.isPlanar() || rows.empty())
+        return;
+    const SpatialWorld &world = scenario.spatial();
+    const PathMeasures measures = measurePath(world.model->arm, world.task, rows);
+    record.largestBend = measures.largestBend;
+    record.movedJoints = measures.movedJoints;
+    record.tipLength = measures.tipLength;
+    record.tipDeviation = measures.tipDeviation;
+    record.closure = measures.closure;
 }
 
 void judgeClaim(const RunSpec &spec, const Problem &problem, const og::PathGeometric *path, Record &record)
@@ -61,6 +77,7 @@ void judgeClaim(const RunSpec &spec, const Problem &problem, const og::PathGeome
     record.maxJointStep = maxJointStepOf(rows, problem.space->joints());
     if (rows.size() > 0)
         record.smoothness = path->smoothness();
+    measureInSpace(*spec.scenario, rows, record);
     for (const Eigen::VectorXd &row : rows)
         record.path.push_back(toFile(spec.scenario->world, row));
 

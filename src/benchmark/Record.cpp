@@ -101,6 +101,11 @@ void visitOptionals(AnyRecord &record, const Visit &visit)
     visit("graph_motions", record.graphMotions);
     visit("solution_difference", record.solutionDifference);
     visit("max_joint_step", record.maxJointStep);
+    visit("largest_bend", record.largestBend);
+    visit("moved_joints", record.movedJoints);
+    visit("tip_length", record.tipLength);
+    visit("tip_deviation", record.tipDeviation);
+    visit("closure", record.closure);
     visit("simplification_time_s", record.simplificationTime);
     visit("simplified_length", record.simplifiedLength);
     visit("simplified_verified", record.simplifiedVerified);

@@ -83,6 +83,11 @@ struct Record
     std::optional<double> smoothness;          ///< OMPL's
     std::optional<double> solutionDifference;  ///< of an approximate solution
     std::optional<double> maxJointStep;        ///< largest change of one joint between two waypoints, radians
+    std::optional<double> largestBend;         ///< of a universal joint, radians (these five: kernel/PathMeasures.h)
+    std::optional<std::int64_t> movedJoints;   ///< turning joints that leave their start value
+    std::optional<double> tipLength;           ///< of the tip's way
+    std::optional<double> tipDeviation;        ///< of the tip from the tip path, between waypoints too
+    std::optional<double> closure;             ///< largest joint change over a closed tip path, radians
     std::optional<double> simplifiedLength;
     std::optional<bool> simplifiedVerified;
     std::optional<bool> verified;                   ///< empty if no exact path was claimed

@@ -63,6 +63,18 @@ std::string runsTable()
     return text + ", environmentid INTEGER REFERENCES environments(id), UNIQUE (experimentid, plannerid, run));";
 }
 
+/// What an older program began lacks the newest metrics: their cells are NULL, not measured, in the rows that it wrote.
+void addNewMetrics(SQLite::Database &database)
+{
+    std::set<std::string> present;
+    SQLite::Statement query(database, "SELECT name FROM pragma_table_info('runs')");
+    while (query.executeStep())
+        present.insert(query.getColumn(0).getString());
+    for (const Metric &metric : metrics())
+        if (present.count(metric.name) == 0)
+            database.exec("ALTER TABLE runs ADD COLUMN " + metric.name + " " + metric.type);
+}
+
 std::string environmentsTable()
 {
     std::string text = "CREATE TABLE environments (id INTEGER PRIMARY KEY, date DATETIME";
@@ -178,6 +190,7 @@ ResultStore ResultStore::resume(const std::string &path, const Experiment &exper
 {
     ResultStore store(openOurs(path, SQLite::OPEN_READWRITE));
     requireSame(path, *store.database_, experiment, engine);
+    addNewMetrics(*store.database_);
     return store;
 }
 

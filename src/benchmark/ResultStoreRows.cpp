@@ -79,10 +79,15 @@ std::int64_t ResultStore::insertRun(const RunSpec &spec, const Record &record)
 {
     const std::int64_t planner = plannerId(spec);
     const int count = static_cast<int>(metrics().size());
-    std::string marks = "NULL, (SELECT id FROM experiments WHERE name = ?), ?";
-    for (int i = 0; i <= count; ++i)
+    // By name, because a database that an older program began has the newest metrics at its end.
+    std::string names = "experimentid, plannerid";
+    std::string marks = "(SELECT id FROM experiments WHERE name = ?), ?";
+    for (const Metric &metric : metrics())
+    {
+        names += ", " + metric.name;
         marks += ", ?";
-    SQLite::Statement insert(*database_, "INSERT INTO runs VALUES (" + marks + ")");
+    }
+    SQLite::Statement insert(*database_, "INSERT INTO runs (" + names + ", environmentid) VALUES (" + marks + ", ?)");
     insert.bind(1, spec.instance);
     insert.bind(2, planner);
     for (int i = 0; i < count; ++i)

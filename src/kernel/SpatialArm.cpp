@@ -199,17 +199,4 @@ void SpatialArm::velocities(const Placement &placement, const Eigen::Ref<const E
             spins[i] = velocities[links_[i].joint].angular;
         }
 }
-
-void SpatialArm::addGradient(const Placement &placement, int link, const Vector3d &point, const Vector3d &force,
-                             Eigen::VectorXd &gradient) const
-{
-    for (int i = links_[link].joint; i >= 0; i = joints_[i].parent)
-    {
-        const Isometry3d &frame = placement.frames[i];
-        if (joints_[i].kind == SpatialJoint::Kind::Prismatic)
-            gradient[i] += directions_[i].dot(force);
-        else
-            gradient[i] += (frame.linear() * joints_[i].axis).dot((point - frame.translation()).cross(force));
-    }
-}
 }  // namespace narrows

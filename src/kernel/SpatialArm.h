@@ -90,10 +90,6 @@ public:
     void velocities(const Placement &placement, const Eigen::Ref<const Eigen::VectorXd> &delta,
                     std::vector<Eigen::Vector3d> &points, std::vector<Eigen::Vector3d> &spins) const;
 
-    /// Adds to `gradient` the derivative, by every joint, of force . (a point of link `link` that is at `point` now).
-    void addGradient(const Placement &placement, int link, const Eigen::Vector3d &point, const Eigen::Vector3d &force,
-                     Eigen::VectorXd &gradient) const;
-
 private:
     /// Orientation of a joint's moving frame in its parent's: fixed + sin(q) sine + (1 - cos(q)) cosine (Rodrigues).
     struct Rotation

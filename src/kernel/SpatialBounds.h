@@ -22,8 +22,12 @@ SpatialBounds spatialBounds(const Sphere &sphere);
 SpatialBounds spatialBounds(const Capsule &capsule);
 SpatialBounds spatialBounds(const Cylinder &cylinder);
 SpatialBounds spatialBounds(const Box &box);
+SpatialBounds spatialBounds(const Prism &prism);
 SpatialBounds spatialBounds(const Mesh &mesh);
 SpatialBounds spatialBounds(const SpatialObstacle &obstacle);
+
+/// How far from the origin any point of the arm can be, at most.
+double farthestFromOrigin(const SpatialArm &arm);
 
 /// Around all within `room` of the segment ab.
 inline SpatialBounds boundsAround(const Eigen::Vector3d &a, const Eigen::Vector3d &b, double room)

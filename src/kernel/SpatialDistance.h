@@ -28,6 +28,7 @@ Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Sphe
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Capsule &capsule);
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Cylinder &cylinder);
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Box &box);
+Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Prism &prism);
 
 /// Where two segments ab and cd come closest: at a + first (b - a) and c + second (d - c).
 struct ClosestFractions

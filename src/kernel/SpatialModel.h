@@ -39,6 +39,16 @@ struct Box
     Eigen::Vector3d halfExtents;  ///< all > 0
 };
 
+/// A convex polygon of the plane, extruded at right angles to it, with flat ends or without ends.
+struct Prism
+{
+    std::vector<Eigen::Vector2d> vertices;  ///< counter-clockwise, convex, at least three, none twice
+    Eigen::Isometry3d pose;                 ///< the section lies in its x and y, the extrusion goes along its z
+    double halfLength;                      ///< of the extrusion, to both sides of the section; > 0, or infinity
+
+    Eigen::Vector3d axis() const { return pose.linear().col(2); }  ///< unit vector
+};
+
 /// A surface of triangles. If it is closed, its inside belongs to the obstacle.
 struct Mesh
 {
@@ -51,7 +61,7 @@ struct Mesh
 struct SpatialObstacle
 {
     std::string name;  ///< unique in its scene
-    std::variant<Sphere, Capsule, Cylinder, Box, Mesh> shape;
+    std::variant<Sphere, Capsule, Cylinder, Box, Prism, Mesh> shape;
 };
 
 struct SpatialModel
@@ -69,9 +79,17 @@ struct SpatialTipGoal
     double tolerance;  ///< > 0, a distance
 };
 
+/// A goal that fixes where the end (`to`) of one link shall be, one place after the other.
+struct SpatialTipPath
+{
+    int link;
+    std::vector<Eigen::Vector3d> points;  ///< not empty; to be reached in this order
+    double tolerance;                     ///< > 0, a distance; the same for all points
+};
+
 struct SpatialTask
 {
     Eigen::VectorXd start;
-    std::variant<Eigen::VectorXd, SpatialTipGoal> goal;
+    std::variant<Eigen::VectorXd, SpatialTipGoal, SpatialTipPath> goal;
 };
 }  // namespace narrows

@@ -18,16 +18,34 @@ double ballRadius(const Vector3d &halfExtents)
     return std::cbrt(6.0 / std::acos(-1.0) * halfExtents.prod());
 }
 
+/// The same of a prism; without ends, of the disc that is as large as its section.
+double ballRadius(const Prism &prism)
+{
+    const double pi = std::acos(-1.0);
+    double area = 0.0;
+    for (std::size_t i = 0; i < prism.vertices.size(); ++i)
+    {
+        const Eigen::Vector2d &one = prism.vertices[i], &next = prism.vertices[(i + 1) % prism.vertices.size()];
+        area += 0.5 * (one.x() * next.y() - one.y() * next.x());
+    }
+    return std::isinf(prism.halfLength) ? std::sqrt(area / pi) : std::cbrt(1.5 / pi * area * prism.halfLength);
+}
+
 struct MakePole
 {
     double longest;  ///< R of shapes that are larger than this
+    double far;      ///< no link gets further from the origin
 
     SpatialPole operator()(const Sphere &sphere) const { return {sphere, 2.0 * sphere.radius}; }
     SpatialPole operator()(const Capsule &capsule) const { return {capsule, 2.0 * capsule.radius}; }
     SpatialPole operator()(const Cylinder &cylinder) const { return {cylinder, 2.0 * cylinder.radius}; }
     SpatialPole operator()(const Box &box) const
     {
-        return {BoxPole(box), 2.0 * std::min(longest, ballRadius(box.halfExtents))};
+        return {EdgedPole(box), 2.0 * std::min(longest, ballRadius(box.halfExtents))};
+    }
+    SpatialPole operator()(const Prism &prism) const
+    {
+        return {EdgedPole(prism, far), 2.0 * std::min(longest, ballRadius(prism))};
     }
     SpatialPole operator()(const Mesh &mesh) const
     {
@@ -45,7 +63,7 @@ struct NearnessTo
     {
         return nearness(a, b, shape);
     }
-    Nearness operator()(const BoxPole &box) const { return nearness(a, b, box.box()); }
+    Nearness operator()(const EdgedPole &solid) const { return solid.nearest(a, b); }
     Nearness operator()(const MeshGeometry &mesh) const { return mesh.nearest(a, b); }
 };
 }  // namespace
@@ -54,8 +72,8 @@ SpatialTerm SpatialPole::smoothClearance(const Vector3d &a, const Vector3d &b, d
 {
     if (const auto *mesh = std::get_if<MeshGeometry>(&shape))
         return clearanceOf(mesh->nearest(a, b, &guess), linkRadius);
-    if (const auto *box = std::get_if<BoxPole>(&shape))
-        return box->clearance(a, b, linkRadius);
+    if (const auto *solid = std::get_if<EdgedPole>(&shape))
+        return solid->clearance(a, b, linkRadius);
     return clearance(a, b, linkRadius);
 }
 
@@ -72,7 +90,7 @@ SpatialPoles::SpatialPoles(const SpatialModel &model) : arm_(model.arm)
     pairSize_ = longest;
     for (const SpatialObstacle &obstacle : model.obstacles)
     {
-        obstacles_.push_back(std::visit(MakePole{0.5 * longest}, obstacle.shape));
+        obstacles_.push_back(std::visit(MakePole{0.5 * longest, farthestFromOrigin(arm_)}, obstacle.shape));
         groups_.push_back(obstacle.name);
     }
     addLimits();

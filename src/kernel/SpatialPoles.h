@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "kernel/BoxPole.h"
+#include "kernel/EdgedPole.h"
 #include "kernel/MeshGeometry.h"
 
 namespace narrows
@@ -13,7 +13,7 @@ namespace narrows
 /// An obstacle as a source of poles.
 struct SpatialPole
 {
-    std::variant<Sphere, Capsule, Cylinder, BoxPole, MeshGeometry> shape;
+    std::variant<Sphere, Capsule, Cylinder, EdgedPole, MeshGeometry> shape;
     double size;  ///< 2 R, see SpatialRepulsionModel.h
 
     /// The clearance that its pole is a function of.

@@ -14,12 +14,11 @@ namespace narrows
 /// What counts as C in W = sum of P / C of continuous(), with e the clearance of the pair (distance - link radius):
 ///   spheres, capsules, cylinders   e (e + 2 (R + link radius)), R their radius: d^2 - r^2 with d the distance from the
 ///                                  center or axis and r grown by the link radius;
-///   boxes                          the same, with R the radius of the ball that is as large as the box, at most half
-///   the
-///                                  longest link, and a smooth stand-in for e (BoxPole.h);
+///   boxes, prisms                  the same, with R the radius of the ball that is as large as the solid (of the disc
+///                                  as large as its section, if it has no ends), at most half the longest link, and a
+///                                  smooth stand-in for e (EdgedPole.h);
 ///   meshes                         the same, with the ball of the mesh's bounding box and the exact e, whose slope
-///   jumps
-///                                  where the nearest point does;
+///                                  jumps where the nearest point does;
 ///   link and link                  likewise, with R half the longest link and the sum of their radii;
 ///   joint limits                   value - lower and upper - value;
 ///   universal limits               cos(first) cos(second) - cos(maxAngle).

@@ -19,13 +19,17 @@ void tipJacobian(const PlanarArm &arm, ConfigurationRef q, int link, Eigen::Matr
 
 void tipJacobian(const SpatialArm &arm, const SpatialArm::Placement &placement, int link, Eigen::Matrix3Xd &jacobian)
 {
-    jacobian.resize(3, arm.dimension());
-    Eigen::VectorXd gradient(arm.dimension());
-    for (int axis = 0; axis < 3; ++axis)
+    const Eigen::Vector3d &point = placement.points[2 * link + 1];
+    jacobian.setZero(3, arm.dimension());
+    for (int i = arm.links()[link].joint; i >= 0; i = arm.joints()[i].parent)
     {
-        gradient.setZero();
-        arm.addGradient(placement, link, placement.points[2 * link + 1], Eigen::Vector3d::Unit(axis), gradient);
-        jacobian.row(axis) = gradient.transpose();
+        const SpatialJoint &joint = arm.joints()[i];
+        const Eigen::Isometry3d &frame = placement.frames[i];
+        const Eigen::Vector3d axis = frame.linear() * joint.axis;
+        if (joint.kind == SpatialJoint::Kind::Prismatic)
+            jacobian.col(i) = axis;
+        else
+            jacobian.col(i) = axis.cross(point - frame.translation());
     }
 }
 }  // namespace narrows

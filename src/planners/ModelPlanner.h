@@ -11,7 +11,8 @@
 
 namespace narrows
 {
-/// A planner that sees robot and obstacles, not only whether states are free, and that says why it stopped.
+/// A planner that says why it stopped and what work it did. Most see robot and obstacles, not only whether states are
+/// free.
 class ModelPlanner : public ob::Planner
 {
 public:

@@ -8,8 +8,11 @@
 #include <stdexcept>
 
 #include "planners/HPPM.h"
+#include "planners/IkPlanners.h"
+#include "planners/LegByLeg.h"
 #include "planners/NearNames.h"
 #include "planners/OmplPlanners.h"
+#include "planners/VDSM.h"
 
 namespace narrows
 {
@@ -41,10 +44,31 @@ PlannerEntry hppm()
     return result;
 }
 
+PlannerEntry vdsm()
+{
+    PlannerEntry result;
+    result.name = "vdsm";
+    result.summary = "scales the tip's way to those of the joints, round obstacles along the slide (VDSM)";
+    result.usesModel = true;
+    result.followsTipPath = true;
+    result.make = [](const PlannerContext &context)
+    {
+        return std::make_shared<VDSM>(context.si, context.spatial);
+    };
+    result.unsupported = [](const PlannerContext &context)
+    {
+        return VDSM::whyUnsupported(context.spatial.get());
+    };
+    return result;
+}
+
 std::vector<PlannerEntry> initialTable()
 {
     std::vector<PlannerEntry> all = omplPlanners();
     all.push_back(hppm());
+    all.push_back(vdsm());
+    for (PlannerEntry &entry : ikPlanners())
+        all.push_back(std::move(entry));
     std::sort(all.begin(), all.end(), byName);
     return all;
 }
@@ -145,6 +169,19 @@ void setParameters(ob::Planner &planner, const std::string &name, const std::map
                              (range.empty() ? "" : " (range " + range + ")"));
     }
 }
+
+/// The same context, whose poles are made when they are first asked for and then kept.
+PlannerContext keepingPoles(PlannerContext context)
+{
+    if (context.repulsion)
+        context.repulsion = [make = context.repulsion, model = std::shared_ptr<const RepulsionModel>()]() mutable
+        {
+            if (!model)
+                model = make();
+            return model;
+        };
+    return context;
+}
 }  // namespace
 
 const std::vector<PlannerEntry> &planners()
@@ -185,8 +222,14 @@ ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &contex
         throw std::invalid_argument("a planner needs a space");
     if (entry.usesModel && !context.repulsion)
         throw std::invalid_argument(name + " needs to know the robot and the obstacles");
-    ob::PlannerPtr planner = entry.make(context);
-    setParameters(*planner, name, parameters);
-    return planner;
+    const auto make = [make = entry.make, context = keepingPoles(context), name, parameters]
+    {
+        ob::PlannerPtr planner = make(context);
+        setParameters(*planner, name, parameters);
+        return planner;
+    };
+    if (context.tipPath && !entry.followsTipPath)
+        return std::make_shared<LegByLeg>(context.si, make);
+    return make();
 }
 }  // namespace narrows

@@ -11,6 +11,7 @@
 
 #include "kernel/PlanarModel.h"
 #include "kernel/Repulsion.h"
+#include "kernel/SpatialModel.h"
 #include "spaces/Ompl.h"
 
 namespace narrows
@@ -22,7 +23,10 @@ struct PlannerContext
     /// Makes the poles of the robot and the obstacles, which takes time and memory that only those who ask for them
     /// shall spend. Unset: nothing is known but `si`.
     std::function<std::shared_ptr<const RepulsionModel>()> repulsion;
-    std::shared_ptr<const PlanarModel> planar;  ///< for planners of planar arms only; null for other robots
+    std::shared_ptr<const PlanarModel> planar;    ///< for planners of planar arms only; null for other robots
+    std::shared_ptr<const SpatialModel> spatial;  ///< for planners of robots in space only; null for others
+    bool tipPath =
+        false;  ///< the problem's goal is a TipPathGoal: who does not follow one is led through it leg by leg
 };
 
 struct PlannerEntry
@@ -30,7 +34,8 @@ struct PlannerEntry
     std::string name;     ///< OMPL's class name in lower case, or ours
     std::string summary;  ///< one line: what it does, whose it is
     bool usesModel = false;
-    bool threaded = false;  ///< plans with threads of its own, so that runs cannot be repeated exactly
+    bool threaded = false;        ///< plans with threads of its own, so that runs cannot be repeated exactly
+    bool followsTipPath = false;  ///< reaches all points of a tip path by itself; others get it leg by leg
     std::function<ob::PlannerPtr(const PlannerContext &)> make;
     /// Empty if the planner can work in this space, else why not. May be unset: then it can work in all.
     std::function<std::string(const PlannerContext &)> unsupported;
@@ -57,7 +62,8 @@ public:
     using std::invalid_argument::invalid_argument;
 };
 
-/// Makes a planner and sets its parameters (texts, as OMPL's ParamSet takes them).
+/// Makes a planner and sets its parameters (texts, as OMPL's ParamSet takes them). For a tip path, one that does not
+/// follow it by itself comes as a LegByLeg, with the same parameters.
 /// \throws std::invalid_argument for an unknown name; ParameterError naming the parameter if the planner has none of
 /// that name or refuses the value.
 ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &context,

@@ -55,8 +55,12 @@ FamilyValues readValues(const Mapping &generate, const Family &family, const Gen
 std::vector<std::string> obstacleNames(const Scenario &scenario)
 {
     std::vector<std::string> names;
-    for (const PlanarObstacle &obstacle : scenario.planar().model->obstacles)
-        names.push_back(obstacle.name);
+    const auto list = [&](const auto &world)
+    {
+        for (const auto &obstacle : world.model->obstacles)
+            names.push_back(obstacle.name);
+    };
+    std::visit(list, scenario.world);
     return names;
 }
 
@@ -118,7 +122,7 @@ void readGenerated(const Mapping &root, const GenerateSettings &settings, Scenar
     scenario.group = nameWith(base, withoutSeed(settings));
     scenario.family = family->name;
     const Field methods = root.optional("methods");
-    scenario.methods = readMethods(methods, obstacleNames(scenario), scenario.planar().model->arm.dimension());
+    scenario.methods = readMethods(methods, obstacleNames(scenario), dimensionOf(scenario.world));
     scenario.text += dumpMethods(methods);
 }
 }  // namespace narrows

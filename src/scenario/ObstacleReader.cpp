@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/ObstacleReader.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
 #include <fmt/format.h>
 
 #include "scenario/ObstacleNames.h"
+#include "scenario/PolygonReader.h"
 #include "scenario/YamlMapping.h"
 
 namespace narrows
 {
 namespace
 {
-using CgalPolygon = CGAL::Polygon_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
-
 constexpr std::size_t mostVertices = 10000;
 /// Beyond this the powers in a superellipse leave the range of a double, and it is a box anyway.
 constexpr double largestExponent = 100.0;
-/// Least area of a polygon over the square of its perimeter; below it the vertices are collinear but for rounding.
-constexpr double leastFatness = 1e-14;
 
 using Shape = std::variant<Circle, Superellipse, Polygon>;
 
@@ -61,51 +53,11 @@ std::optional<Shape> readSuperellipse(const Mapping &entry)
     return std::nullopt;
 }
 
-/// The vertices counter-clockwise; nothing (and a fault) unless they bound a simple polygon.
-std::optional<Shape> makePolygon(const Field &field, const std::vector<Eigen::Vector2d> &vertices)
-{
-    CgalPolygon outline;
-    double perimeter = 0.0;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-        const double edge = (vertices[(i + 1) % vertices.size()] - vertices[i]).norm();
-        if (edge == 0.0)
-        {
-            field.fault(
-                fmt::format("vertex {} is repeated by the next (the last is joined to the first by itself)", i));
-            return std::nullopt;
-        }
-        perimeter += edge;
-        outline.push_back({vertices[i].x(), vertices[i].y()});
-    }
-    if (!outline.is_simple())
-    {
-        field.fault("the polygon must be simple, but its edges cross or touch each other");
-        return std::nullopt;
-    }
-    if (std::abs(outline.area()) <= leastFatness * perimeter * perimeter)
-    {
-        field.fault("the polygon has no area");
-        return std::nullopt;
-    }
-    Polygon polygon{vertices};
-    if (outline.is_clockwise_oriented())
-        std::reverse(polygon.vertices.begin(), polygon.vertices.end());
-    return polygon;
-}
-
 std::optional<Shape> readPolygon(const Mapping &entry)
 {
     entry.allowOnly({"name", "kind", "vertices"});
-    const Field field = entry.required("vertices");
-    const std::vector<Field> items = field.items(3, mostVertices);
-    std::vector<Eigen::Vector2d> vertices;
-    for (const Field &item : items)
-        if (const std::optional<Eigen::Vector2d> vertex = item.point())
-            vertices.push_back(*vertex);
-    if (items.empty() || vertices.size() != items.size())
-        return std::nullopt;
-    return makePolygon(field, vertices);
+    const std::optional<Polygon> polygon = readPolygon(entry.required("vertices"), mostVertices);
+    return polygon ? std::optional<Shape>(*polygon) : std::nullopt;
 }
 
 std::optional<Shape> readBox(const Mapping &entry)

@@ -8,7 +8,7 @@
 
 #include "kernel/PlanarRepulsionModel.h"
 #include "kernel/SpatialRepulsionModel.h"
-#include "spaces/TipGoalRegion.h"
+#include "spaces/TipPathGoal.h"
 #include "validity/ArmValidityChecker.h"
 #include "validity/ContinuousMotionValidator.h"
 
@@ -77,33 +77,38 @@ void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &mo
     si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
 }
 
-ob::GoalPtr makeTipGoal(const ob::SpaceInformationPtr &si, const TipGoal &tip)
+ob::GoalPtr makeGoal(const ob::SpaceInformationPtr &si, const Eigen::VectorXd &configuration)
+{
+    ob::ScopedState<> state(si);
+    si->getStateSpace()->as<ArmStateSpace>()->fromConfiguration(configuration, state.get());
+    const auto goal = std::make_shared<ob::GoalState>(si);
+    goal->setState(state);
+    return goal;
+}
+
+ob::GoalPtr makeGoal(const ob::SpaceInformationPtr &si, const TipGoal &tip)
 {
     return std::make_shared<TipGoalRegion>(si, tip);
 }
 
-ob::GoalPtr makeTipGoal(const ob::SpaceInformationPtr &si, const SpatialTipGoal &tip)
+ob::GoalPtr makeGoal(const ob::SpaceInformationPtr &si, const SpatialTipGoal &tip)
 {
     return std::make_shared<SpatialTipGoalRegion>(si, tip);
+}
+
+ob::GoalPtr makeGoal(const ob::SpaceInformationPtr &si, const SpatialTipPath &path)
+{
+    return std::make_shared<TipPathGoal>(si, path);
 }
 
 template <typename Task>
 ob::ProblemDefinitionPtr makeDefinition(const ob::SpaceInformationPtr &si, const Task &task)
 {
-    const auto *space = si->getStateSpace()->as<ArmStateSpace>();
     auto pdef = std::make_shared<ob::ProblemDefinition>(si);
-    ob::ScopedState<> state(si);
-    space->fromConfiguration(task.start, state.get());
-    pdef->addStartState(state);
-    if (const auto *configuration = std::get_if<Eigen::VectorXd>(&task.goal))
-    {
-        const auto goal = std::make_shared<ob::GoalState>(si);
-        space->fromConfiguration(*configuration, state.get());
-        goal->setState(state);
-        pdef->setGoal(goal);
-    }
-    else
-        pdef->setGoal(makeTipGoal(si, std::get<1>(task.goal)));
+    ob::ScopedState<> start(si);
+    si->getStateSpace()->as<ArmStateSpace>()->fromConfiguration(task.start, start.get());
+    pdef->addStartState(start);
+    pdef->setGoal(std::visit([&](const auto &goal) { return makeGoal(si, goal); }, task.goal));
     return pdef;
 }
 
@@ -113,7 +118,7 @@ PlannerContext makeContext(const ob::SpaceInformationPtr &si, const PlanarWorld 
     {
         return planarRepulsionModel(model, limits);
     };
-    return {si, poles, world.model};
+    return {si, poles, world.model, nullptr, false};
 }
 
 PlannerContext makeContext(const ob::SpaceInformationPtr &si, const SpatialWorld &world)
@@ -122,7 +127,7 @@ PlannerContext makeContext(const ob::SpaceInformationPtr &si, const SpatialWorld
     {
         return spatialRepulsionModel(model);
     };
-    return {si, poles, nullptr};
+    return {si, poles, nullptr, world.model, std::holds_alternative<SpatialTipPath>(world.task.goal)};
 }
 }  // namespace
 

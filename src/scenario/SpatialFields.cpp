@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/SpatialFields.h"
 
+#include <limits>
+
 #include "scenario/YamlMapping.h"
 
 namespace narrows
@@ -37,5 +39,12 @@ std::optional<Eigen::Matrix3d> readRotation(const Field &field)
     if (!axis || !angle)
         return std::nullopt;
     return Eigen::AngleAxisd(*angle, *axis).toRotationMatrix();
+}
+
+std::optional<double> readLength(const Field &field)
+{
+    if (field.isWord("inf") || field.isWord(".inf"))
+        return std::numeric_limits<double>::infinity();
+    return field.positive();
 }
 }  // namespace narrows

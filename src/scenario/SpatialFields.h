@@ -14,4 +14,7 @@ std::optional<Eigen::Vector3d> readAxis(const Field &field);
 
 /// `{axis: ..., angle: ...}`; the identity if the place is not given.
 std::optional<Eigen::Matrix3d> readRotation(const Field &field);
+
+/// From end to end of a cylinder or prism; infinity for `inf`, one without ends.
+std::optional<double> readLength(const Field &field);
 }  // namespace narrows

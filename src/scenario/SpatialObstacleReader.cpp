@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/SpatialObstacleReader.h"
 
-#include <limits>
-
 #include <fmt/format.h>
 
 #include "scenario/MeshSurface.h"
 #include "scenario/ObstacleNames.h"
+#include "scenario/PrismReader.h"
 #include "scenario/SpatialFields.h"
 #include "scenario/YamlMapping.h"
 
@@ -14,8 +13,7 @@ namespace narrows
 {
 namespace
 {
-using Shape = std::variant<Sphere, Capsule, Cylinder, Box, Mesh>;
-
+using Shape = decltype(SpatialObstacle::shape);
 std::optional<Shape> readSphere(const Mapping &entry)
 {
     entry.allowOnly({"name", "kind", "center", "radius"});
@@ -38,14 +36,6 @@ std::optional<Shape> readCapsule(const Mapping &entry)
     else if (from && to && radius)
         return Capsule{*from, *to, *radius};
     return std::nullopt;
-}
-
-/// From end to end; `inf` for a cylinder without ends.
-std::optional<double> readLength(const Field &field)
-{
-    if (field.isWord("inf") || field.isWord(".inf"))
-        return std::numeric_limits<double>::infinity();
-    return field.positive();
 }
 
 std::optional<Shape> readCylinder(const Mapping &entry)
@@ -136,7 +126,7 @@ std::optional<Shape> readMesh(const Mapping &entry, MeshFiles &files)
 std::optional<Shape> readShape(const Mapping &entry, MeshFiles &files)
 {
     const std::string kind =
-        entry.required("kind").oneOf({"sphere", "capsule", "cylinder", "box", "mesh"}).value_or("");
+        entry.required("kind").oneOf({"sphere", "capsule", "cylinder", "box", "prism", "mesh"}).value_or("");
     if (kind == "sphere")
         return readSphere(entry);
     if (kind == "capsule")
@@ -145,6 +135,11 @@ std::optional<Shape> readShape(const Mapping &entry, MeshFiles &files)
         return readCylinder(entry);
     if (kind == "box")
         return readBox(entry);
+    if (kind == "prism")
+    {
+        const std::optional<Prism> prism = readPrism(entry);
+        return prism ? std::optional<Shape>(*prism) : std::nullopt;
+    }
     if (kind == "mesh")
         return readMesh(entry, files);
     return std::nullopt;

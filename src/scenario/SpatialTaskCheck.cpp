@@ -1,47 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/SpatialTaskCheck.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "scenario/StateCheck.h"
+#include "scenario/YamlMapping.h"
+#include "validity/SpatialChecker.h"
 
 namespace narrows
 {
 namespace
 {
-/// Does a shape cover a whole ball?
-struct Covers
+/// A place that the goal asks the end of a link to be in.
+struct Tip
 {
-    const Eigen::Vector3d &center;
-    double radius;
+    Field field;
+    Eigen::Vector3d point;
+};
 
-    bool operator()(const Sphere &sphere) const { return (center - sphere.center).norm() + radius <= sphere.radius; }
-
-    bool operator()(const Capsule &capsule) const
+/// A distance changes no faster than the place, so that what is near enough here is so within the tolerance.
+void checkTips(const std::vector<Tip> &tips, const SpatialModel &model, int link, double tolerance)
+{
+    const double radius = model.arm.links()[static_cast<std::size_t>(link)].radius;
+    for (const SpatialObstacle &obstacle : model.obstacles)
     {
-        const Eigen::Vector3d along = capsule.to - capsule.from;
-        const double t = std::clamp(along.dot(center - capsule.from) / along.squaredNorm(), 0.0, 1.0);
-        return (center - capsule.from - t * along).norm() + radius <= capsule.radius;
+        const auto checker = makeAnalyticChecker(SpatialModel{model.arm, {obstacle}});
+        for (const Tip &tip : tips)
+        {
+            const double most = checker->clearance({tip.point, tip.point, 0.0}) + tolerance;
+            if (most <= 0.0)
+                tip.field.fault(
+                    fmt::format("in collision: every point within the tolerance lies inside {}", obstacle.name));
+            else if (most <= radius)
+                tip.field.fault(fmt::format("in collision: a link of radius {:.6g} that ends there touches {}", radius,
+                                            obstacle.name));
+        }
     }
+}
 
-    bool operator()(const Cylinder &cylinder) const
+struct CheckGoal
+{
+    const Field &field;
+    const SpatialModel &model;
+    const std::vector<int> &numbers;
+
+    void operator()(const Eigen::VectorXd &state) const { checkStateIsFree(field, model, numbers, state); }
+    void operator()(const SpatialTipGoal &tip) const
     {
-        const Eigen::Vector3d offset = center - cylinder.center;
-        const double height = offset.dot(cylinder.axis);
-        return (offset - height * cylinder.axis).norm() + radius <= cylinder.radius &&
-               std::abs(height) + radius <= cylinder.halfLength;
+        checkTips({{field, tip.point}}, model, tip.link, tip.tolerance);
     }
-
-    bool operator()(const Box &box) const
+    void operator()(const SpatialTipPath &path) const
     {
-        const Eigen::Vector3d inside = box.pose.inverse() * center;
-        return (inside.array().abs() + radius <= box.halfExtents.array()).all();
+        const std::vector<Field> fields = Mapping(field).optional("tip_path").items(1, path.points.size());
+        std::vector<Tip> tips;
+        for (std::size_t i = 0; i < fields.size(); ++i)
+            tips.push_back({fields[i], path.points[i]});
+        checkTips(tips, model, path.link, path.tolerance);
     }
-
-    bool operator()(const Mesh &) const { return false; }
 };
 }  // namespace
 
@@ -49,14 +64,6 @@ void checkTaskIsFree(const Field &start, const Field &goal, const SpatialModel &
                      const std::vector<int> &numbers)
 {
     checkStateIsFree(start, model, numbers, task.start);
-    if (const auto *state = std::get_if<Eigen::VectorXd>(&task.goal))
-        checkStateIsFree(goal, model, numbers, *state);
-    else
-    {
-        const auto &tip = std::get<SpatialTipGoal>(task.goal);
-        for (const SpatialObstacle &obstacle : model.obstacles)
-            if (std::visit(Covers{tip.point, tip.tolerance}, obstacle.shape))
-                goal.fault(fmt::format("in collision: every point within the tolerance lies inside {}", obstacle.name));
-    }
+    std::visit(CheckGoal{goal, model, numbers}, task.goal);
 }
 }  // namespace narrows

@@ -11,6 +11,8 @@ namespace narrows
 {
 namespace
 {
+constexpr std::size_t mostTips = 10000;
+
 std::optional<Eigen::VectorXd> readStart(const Field &field, const SpatialRobotDraft &robot)
 {
     const Mapping start(field);
@@ -68,15 +70,34 @@ std::optional<SpatialTipGoal> readTipGoal(const Mapping &goal, const SpatialRobo
     return tip;
 }
 
-std::optional<std::variant<Eigen::VectorXd, SpatialTipGoal>> readGoal(const Field &field,
-                                                                      const SpatialRobotDraft &robot)
+std::optional<SpatialTipPath> readTipPath(const Mapping &goal, const SpatialRobotDraft &robot)
+{
+    goal.allowOnly({"tip_path", "tolerance", "link"});
+    const std::vector<Field> items = goal.optional("tip_path").items(1, mostTips);
+    const std::optional<double> tolerance = goal.required("tolerance").positive();
+    const int entry = readEntry(goal.optional("link"), robot);
+    SpatialTipPath path{0, {}, tolerance.value_or(0.0)};
+    for (const Field &item : items)
+        if (const std::optional<Eigen::Vector3d> point = item.spatialPoint())
+            path.points.push_back(*point);
+    if (items.empty() || path.points.size() != items.size() || !tolerance || entry == 0 || !robot.arm)
+        return std::nullopt;
+    path.link = robot.tips[static_cast<std::size_t>(entry - 1)];
+    for (std::size_t i = 0; i < items.size(); ++i)
+        checkReach(items[i], reachOf(*robot.arm, {path.link, path.points[i], path.tolerance}, entry));
+    return path;
+}
+
+std::optional<decltype(SpatialTask::goal)> readGoal(const Field &field, const SpatialRobotDraft &robot)
 {
     const Mapping goal(field);
     if (goal.has("tip"))
         return readTipGoal(goal, robot);
-    goal.allowOnly({"joints", "slide", "tip"});
+    if (goal.has("tip_path"))
+        return readTipPath(goal, robot);
+    goal.allowOnly({"joints", "slide", "tip", "tip_path"});
     if (goal.valid() && !goal.has("joints"))
-        field.fault("must have joints or tip");
+        field.fault("must have joints, tip or tip_path");
     return readSpatialState(goal, robot);
 }
 }  // namespace

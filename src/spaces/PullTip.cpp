@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <Eigen/LU>
-
+#include "kernel/DampedStep.h"
 #include "kernel/TipJacobian.h"
 
 namespace narrows
@@ -64,10 +63,9 @@ Eigen::VectorXd unitsOf(const ArmStateSpace &space, double reach)
 template <int Dim, typename Space, typename Tip, typename Goal>
 bool pull(const Space &space, Tip tip, const Goal &goal, ob::State *state)
 {
-    using Square = Eigen::Matrix<double, Dim, Dim>;
     const double reach = space.arm().reach();
     const Eigen::VectorXd units = unitsOf(space, reach);
-    const Square damping = relativeDamping * reach * reach * Square::Identity();
+    const double damping = relativeDamping * reach * reach;
     Eigen::VectorXd q;
     Eigen::Matrix<double, Dim, Eigen::Dynamic> jacobian;
     for (int step = 0; step < mostSteps; ++step)
@@ -77,8 +75,7 @@ bool pull(const Space &space, Tip tip, const Goal &goal, ob::State *state)
         if (error.norm() <= 0.1 * goal.tolerance)
             return true;
         jacobian = jacobian * units.asDiagonal();
-        const Square damped = jacobian * jacobian.transpose() + damping;
-        const Eigen::VectorXd move = jacobian.transpose() * damped.inverse() * error;
+        const Eigen::VectorXd move = dampedStep<Dim>(jacobian, error, damping);
         // Near singular postures the full step would wind joints round and round.
         q += std::min(1.0, longestMove / move.norm()) * move.cwiseProduct(units);
         space.fromConfiguration(q, state);

@@ -20,6 +20,8 @@ public:
     /// \pre the state space of `si` is a `Space` and `goal.link` one of its links.
     ArmTipGoalRegion(const ob::SpaceInformationPtr &si, const TipTarget &goal);
 
+    const TipTarget &goal() const { return goal_; }
+
     /// How far the tip is from the point.
     double distanceGoal(const ob::State *state) const override;
 

@@ -38,7 +38,7 @@ struct Parts
 Parts<2> partsOf(const std::vector<PlanarObstacle> &obstacles, double extent);
 
 /// A mesh becomes its triangles, in boxes. \param extent no link gets further than this from the origin: what is
-/// further away of endless cylinders is left out
+/// further away of endless cylinders and prisms is left out
 /// \throws std::invalid_argument if a mesh is said to be closed and has an edge that does not join two triangles of the
 /// same orientation
 Parts<3> partsOf(const std::vector<SpatialObstacle> &obstacles, double extent);

@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    using Shape = std::variant<Sphere, Capsule, Cylinder, Box, MeshGeometry>;
+    using Shape = std::variant<Sphere, Capsule, Cylinder, Box, Prism, MeshGeometry>;
 
     struct Obstacle
     {

@@ -14,6 +14,7 @@ Finding examine(const LinkMotion<3> &link, double reach, const Sphere &sphere);
 Finding examine(const LinkMotion<3> &link, double reach, const Capsule &capsule);
 Finding examine(const LinkMotion<3> &link, double reach, const Cylinder &cylinder);
 Finding examine(const LinkMotion<3> &link, double reach, const Box &box);
+Finding examine(const LinkMotion<3> &link, double reach, const Prism &prism);
 Finding examine(const LinkMotion<3> &link, double reach, const MeshGeometry &mesh);
 
 /// The same of two links on one stretch.

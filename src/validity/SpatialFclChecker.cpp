@@ -5,6 +5,7 @@
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 
@@ -18,19 +19,6 @@ namespace
 {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-
-/// How far from the origin any point of the arm can be.
-double farthest(const SpatialArm &arm)
-{
-    double distance = 0.0;
-    for (const SpatialJoint &joint : arm.joints())
-        if (joint.parent < 0)
-            distance = std::max(distance, joint.offset.translation().norm() + arm.reach());
-    for (const SpatialLink &link : arm.links())
-        if (link.joint < 0)
-            distance = std::max(distance, std::max(link.from.norm(), link.to.norm()) + link.radius);
-    return distance;
-}
 
 struct SolidOf
 {
@@ -67,6 +55,36 @@ struct SolidOf
                 box.pose.translation()};
     }
 
+    /// Of a prism without ends, as much as the arm can reach.
+    FclSolid operator()(Prism prism) const
+    {
+        const SpatialBounds box = spatialBounds(prism);
+        if (std::isinf(prism.halfLength))
+        {
+            double width = 0.0;
+            for (const Eigen::Vector2d &vertex : prism.vertices)
+                width = std::max(width, vertex.norm());
+            prism.pose.translation() -= prism.axis().dot(prism.pose.translation()) * prism.axis();
+            prism.halfLength = 1.01 * range + width;
+        }
+        const int count = static_cast<int>(prism.vertices.size());
+        const auto corners = std::make_shared<std::vector<Vector3d>>();
+        const auto faces = std::make_shared<std::vector<int>>();
+        for (const double height : {-prism.halfLength, prism.halfLength})
+            for (const Eigen::Vector2d &vertex : prism.vertices)
+                corners->push_back({vertex.x(), vertex.y(), height});
+        faces->push_back(count);
+        for (int i = 0; i < count; ++i)
+            faces->push_back(count - 1 - i);
+        faces->push_back(count);
+        for (int i = 0; i < count; ++i)
+            faces->push_back(count + i);
+        for (int i = 0, next = 1; i < count; ++i, next = (i + 1) % count)
+            faces->insert(faces->end(), {4, i, next, count + next, count + i});
+        const Vector3d anchor = prism.pose * corners->front();
+        return {std::make_shared<fcl::Convexd>(corners, count + 2, faces), prism.pose, box, anchor};
+    }
+
     FclSolid operator()(const Mesh &mesh) const
     {
         auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
@@ -81,7 +99,7 @@ struct SolidOf
 
 std::unique_ptr<SpatialChecker> makeFclChecker(const SpatialModel &model)
 {
-    const SolidOf solidOf{farthest(model.arm)};
+    const SolidOf solidOf{farthestFromOrigin(model.arm)};
     std::vector<FclObstacle> obstacles;
     for (const SpatialObstacle &obstacle : model.obstacles)
     {

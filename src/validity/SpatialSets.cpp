@@ -50,6 +50,24 @@ struct AddParts
         parts.add({box, 0.0, box.pose.translation(), box.halfExtents.norm()}, obstacle);
     }
 
+    /// Without ends it is one whose ends are out of reach.
+    void operator()(Prism prism) const
+    {
+        if (std::isinf(prism.halfLength))
+        {
+            prism.pose.translation() -= prism.pose.translation().dot(prism.axis()) * prism.axis();
+            prism.halfLength = extent;
+        }
+        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+        for (const Eigen::Vector2d &vertex : prism.vertices)
+            middle += vertex / static_cast<double>(prism.vertices.size());
+        double radius = 0.0;
+        for (const Eigen::Vector2d &vertex : prism.vertices)
+            radius = std::max(radius, (vertex - middle).norm());
+        const Vector3d center = prism.pose * Vector3d(middle.x(), middle.y(), 0.0);
+        parts.add({prism, 0.0, center, std::hypot(radius, prism.halfLength)}, obstacle);
+    }
+
     void operator()(const Mesh &mesh) const
     {
         if (mesh.closed && !isClosed(mesh))

@@ -41,7 +41,7 @@ struct CoreShapes<2>
 template <>
 struct CoreShapes<3>
 {
-    using Any = std::variant<Segment<3>, Triangle, Box, Cylinder, Eigen::AlignedBox3d>;
+    using Any = std::variant<Segment<3>, Triangle, Box, Cylinder, Prism, Eigen::AlignedBox3d>;
 };
 
 /// A convex set, given as all points within `inflation` of a core. A ball is an inflated point, a capsule an inflated
@@ -49,7 +49,7 @@ struct CoreShapes<3>
 template <int Dim>
 struct ConvexSet
 {
-    typename CoreShapes<Dim>::Any core;  ///< a cylinder here has an end
+    typename CoreShapes<Dim>::Any core;  ///< cylinders and prisms here have ends
     double inflation = 0.0;
     Point<Dim> center;            ///< of a ball ...
     double boundingRadius = 0.0;  ///< ... that contains the core

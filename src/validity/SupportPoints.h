@@ -82,4 +82,11 @@ inline Eigen::Vector3d furthestOf(const Cylinder &cylinder, const Eigen::Vector3
         cylinder.center + std::copysign(cylinder.halfLength, u.dot(cylinder.axis)) * cylinder.axis;
     return size > 0.5 ? Eigen::Vector3d(end + cylinder.radius / size * outwards) : end;
 }
+
+inline Eigen::Vector3d furthestOf(const Prism &prism, const Eigen::Vector3d &u)
+{
+    const Eigen::Vector3d local = prism.pose.linear().transpose() * u;
+    const Eigen::Vector2d vertex = furthestOfAll(prism.vertices, Eigen::Vector2d(local.head<2>()));
+    return prism.pose * Eigen::Vector3d(vertex.x(), vertex.y(), std::copysign(prism.halfLength, local.z()));
+}
 }  // namespace narrows::proof

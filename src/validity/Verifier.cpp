@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validity/Verifier.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -19,31 +20,101 @@ Verdict refusal(const char *reason, std::size_t waypoint)
     return verdict;
 }
 
+void requireLink(int link, int links)
+{
+    if (link < 0 || link >= links)
+        throw std::invalid_argument("the goal's link must be one of the arm's " + std::to_string(links));
+}
+
+/// Consistency of a goal with the arm, for each kind of goal.
+struct RequireGoal
+{
+    int dimension;
+    int links;
+
+    void operator()(const Eigen::VectorXd &goal) const
+    {
+        if (goal.size() != dimension)
+            throw std::invalid_argument("start and goal must have " + std::to_string(dimension) + " values");
+    }
+    template <class Tip>
+    void operator()(const Tip &tip) const
+    {
+        requireLink(tip.link, links);
+    }
+    void operator()(const SpatialTipPath &tips) const
+    {
+        requireLink(tips.link, links);
+        if (tips.points.empty())
+            throw std::invalid_argument("the goal's tip path must have points");
+    }
+};
+
 template <class Model, class Task>
 void requireConsistency(const Model &model, const Task &task, const VerifierOptions &options)
 {
-    const int dimension = model.arm.dimension(), links = model.arm.linkCount();
-    const auto *goal = std::get_if<0>(&task.goal);
-    const auto *tip = std::get_if<1>(&task.goal);
-    if (task.start.size() != dimension || (goal && goal->size() != dimension))
+    const int dimension = model.arm.dimension();
+    if (task.start.size() != dimension)
         throw std::invalid_argument("start and goal must have " + std::to_string(dimension) + " values");
-    if (tip && (tip->link < 0 || tip->link >= links))
-        throw std::invalid_argument("the goal's link must be one of the arm's " + std::to_string(links));
+    std::visit(RequireGoal{dimension, model.arm.linkCount()}, task.goal);
     if (!(options.clearanceTolerance > 0.0))
         throw std::invalid_argument("clearanceTolerance must be positive");
 }
 
-template <class Model, class Task, class Rules>
-bool reachesGoal(const Model &model, const Task &task, const Rules &rules, const Eigen::VectorXd &last,
-                 double tolerance)
+/// Where the path is not what the goal asks for, as a refusal; nothing if it is.
+template <class Model, class Rules>
+class MissedGoal
 {
-    if (const auto *goal = std::get_if<0>(&task.goal))
-        return rules.same(last, *goal, tolerance);
-    const auto &goal = std::get<1>(task.goal);
-    typename proof::MotionOf<Model>::Type motion(model.arm);
-    motion.place(last, last, 0.0);
-    return (motion.link(goal.link).to.position - goal.point).norm() <= goal.tolerance;
-}
+public:
+    /// \param tolerance for goals that are configurations
+    MissedGoal(const Model &model, const Rules &rules, const std::vector<Eigen::VectorXd> &path, double tolerance)
+      : motion_(model.arm), rules_(rules), path_(path), tolerance_(tolerance)
+    {
+    }
+
+    std::optional<Verdict> operator()(const Eigen::VectorXd &goal)
+    {
+        return missedIf(!rules_.same(path_.back(), goal, tolerance_));
+    }
+
+    template <class Tip>
+    std::optional<Verdict> operator()(const Tip &tip)
+    {
+        return missedIf(!isAt(path_.back(), tip.link, tip.point, tip.tolerance));
+    }
+
+    /// One waypoint of the path may stand for several tips that follow each other.
+    std::optional<Verdict> operator()(const SpatialTipPath &tips)
+    {
+        std::size_t reached = 0;
+        for (const Eigen::VectorXd &row : path_)
+            while (reached < tips.points.size() && isAt(row, tips.link, tips.points[reached], tips.tolerance))
+                ++reached;
+        if (reached == tips.points.size())
+            return missedIf(!isAt(path_.back(), tips.link, tips.points.back(), tips.tolerance));
+        Verdict verdict = refusal("tip_path", path_.size() - 1);
+        verdict.tip = static_cast<int>(reached);
+        return verdict;
+    }
+
+private:
+    std::optional<Verdict> missedIf(bool missed) const
+    {
+        return missed ? std::optional<Verdict>(refusal("goal", path_.size() - 1)) : std::nullopt;
+    }
+
+    template <class Point>
+    bool isAt(const Eigen::VectorXd &row, int link, const Point &point, double within)
+    {
+        motion_.place(row, row, 0.0);
+        return (motion_.link(link).to.position - point).norm() <= within;
+    }
+
+    typename proof::MotionOf<Model>::Type motion_;
+    const Rules &rules_;
+    const std::vector<Eigen::VectorXd> &path_;
+    double tolerance_;
+};
 
 template <class Model, class Task, class Rules>
 Verdict judge(const Model &model, const Task &task, const Rules &rules, const std::vector<Eigen::VectorXd> &path,
@@ -64,8 +135,9 @@ Verdict judge(const Model &model, const Task &task, const Rules &rules, const st
             return refusal("not_finite", i);
     if (!rules.same(path.front(), task.start, options.startTolerance))
         return refusal("start", 0);
-    if (!reachesGoal(model, task, rules, path.back(), options.goalTolerance))
-        return refusal("goal", path.size() - 1);
+    MissedGoal<Model, Rules> missed(model, rules, path, options.goalTolerance);
+    if (const std::optional<Verdict> verdict = std::visit(missed, task.goal))
+        return *verdict;
     for (std::size_t i = 0; i < path.size(); ++i)
         if (!rules.within(path[i]))
             return refusal("limits", i);

@@ -16,13 +16,15 @@ namespace narrows
 struct Verdict
 {
     bool accepted = false;
-    std::string reason;     ///< empty if accepted, else one of: empty_path, dimension, not_finite, start, goal, limits,
-                            ///< collision, self_collision, not_certified (closer than can be told apart from touching)
+    std::string reason;     ///< empty if accepted, else one of: empty_path, dimension, not_finite, start, tip_path,
+                            ///< goal, limits, collision, self_collision, not_certified (closer than can be told apart
+                            ///< from touching)
     int segment = -1;       ///< index of the waypoint where the offending segment begins; -1 if it is not about one
     double fraction = 0.0;  ///< where on that segment, in [0, 1]
     int link = -1;          ///< which link, -1 if it is not about one
     int otherLink = -1;     ///< the link that it meets, -1 if it is not about two links
     std::string obstacle;   ///< which obstacle, empty if it is not about one
+    int tip = -1;  ///< which point of the goal's tip path was not reached in its turn; -1 if it is not about one
     double clearance = 0.0;  ///< if accepted: the least distance of any link to any obstacle, or to a link that it must
                              ///< not touch, over the whole path: never overstated and at most `clearanceTolerance` too
                              ///< small; +infinity if there is nothing to keep away from
@@ -45,9 +47,10 @@ struct VerifierOptions
 Verdict verify(const PlanarModel &model, const PlanarTask &task, const std::vector<Eigen::VectorXd> &path,
                const VerifierOptions &options = {});
 
-/// The same in space, with forward kinematics of its own. Limits are the arm's. The values of joints with a limit, also
-/// one that they share with another joint (`UniversalLimit`), are compared as they stand.
-/// \throws std::invalid_argument also if a mesh is said to be closed and is not.
+/// The same in space, with forward kinematics of its own. The points of a tip path must be reached in their order, each
+/// at some waypoint of the path, the last one at its last. Limits are the arm's. The values of joints with a limit,
+/// also one that they share with another joint (`UniversalLimit`), are compared as they stand. \throws
+/// std::invalid_argument also if a mesh is said to be closed and is not.
 Verdict verify(const SpatialModel &model, const SpatialTask &task, const std::vector<Eigen::VectorXd> &path,
                const VerifierOptions &options = {});
 }  // namespace narrows

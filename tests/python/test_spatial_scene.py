@@ -41,6 +41,8 @@ OBSTACLES = """
   - {name: rod, kind: cylinder, axis: [0, 3, 4], center: [0, 0, 0], radius: 0.5, length: 10}
   - {name: line, kind: cylinder, axis: x, center: [50, 1, 1], radius: 0.5, length: inf}
   - {name: crate, kind: box, min: [0, 0, 0], max: [2, 4, 6], rotation: {axis: z, angle: 90 deg}}
+  - {name: roof, kind: prism, axis: y, vertices: [[0, 0], [4, 0], [2, 3]], center: [1, 2, 3], length: 10}
+  - {name: wedge, kind: prism, axis: x, vertices: [[0, 0], [4, 0], [2, 3]], length: inf}
   - {kind: mesh, file: cube.obj, scale: 2, position: [5, 0, 0], rotation: {axis: z, angle: 90 deg}}
 """
 
@@ -77,8 +79,13 @@ def test_surfaces_lie_on_the_obstacles():
     assert np.max(np.linalg.norm(faces["rod"] - height[:, None] * [0, 0.6, 0.8], axis=1)) == pytest.approx(0.5)
     assert_allclose(faces["crate"].min(axis=0), [-1, 1, 0], atol=1e-12)
     assert_allclose(faces["crate"].max(axis=0), [3, 3, 6])
-    assert_allclose(faces["obstacle 6"].min(axis=0), [3, 0, 0], atol=1e-12)
-    assert_allclose(faces["obstacle 6"].max(axis=0), [5, 2, 2])
+    assert_allclose(faces["obstacle 8"].min(axis=0), [3, 0, 0], atol=1e-12)
+    assert_allclose(faces["obstacle 8"].max(axis=0), [5, 2, 2])
+    assert_allclose(np.unique(faces["roof"], axis=0), [[1, y, 3] for y in (-3, 7)] + [[3, y, 6] for y in (-3, 7)]
+                    + [[5, y, 3] for y in (-3, 7)], atol=1e-12)
+    wedge = faces["wedge"]
+    assert_allclose(np.unique(wedge[:, 1:], axis=0), [[0, 0], [2, 3], [4, 0]], atol=1e-12)
+    assert wedge[:, 0].min() < -3 and wedge[:, 0].max() > 5
     line = faces["line"]
     assert line[:, 0].min() < -3 and line[:, 0].max() > 5, "it goes past all of the arm"
     assert np.all(np.hypot(line[:, 1] - 1, line[:, 2] - 1) <= 0.5 + 1e-12)
@@ -88,6 +95,25 @@ def test_a_box_has_six_faces_and_round_things_have_many():
     parts = surfaces()
     assert len(parts["crate"]) == 6
     assert len(parts["rod"]) == 3 * SIDES
+    assert len(parts["roof"]) == 5
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z", "[0, 3, 4]", "[1, 1, 0]", "[0, 0, -1]"])
+def test_a_section_is_level_and_upright(axis):
+    text = CHAIN.replace(" []", f"\n  - {{kind: prism, axis: {axis}, vertices: [[0, 0], [4, 0], [0, 3]], length: 2}}")
+    low, high = read_scene(text).surfaces["obstacle 1"][:2]
+    across, up = low[1] - low[0], low[2] - low[0]
+    assert across[2] == 0 and max(across[:2], key=abs) > 0
+    assert up[2] > 0 or (up[2] == 0 and up[1] > 0)
+    assert_allclose([np.linalg.norm(across), np.linalg.norm(up), across @ up], [4, 3, 0], atol=1e-12)
+    assert_allclose(high - low, np.tile(high[0] - low[0], (3, 1)), atol=1e-12)
+    assert abs(np.cross(across, up) @ (high[0] - low[0])) == pytest.approx(4 * 3 * 2)
+
+
+def test_a_tip_path_takes_the_place_of_a_goal():
+    scene = read_scene(CHAIN.replace("{tip: [0, 0, 0]", "{tip_path: [[0, 0, 0], [1, 0, 3]]"))
+    assert scene.goal is None and scene.target is None
+    assert_allclose(scene.tip_path, [[0, 0, 0], [1, 0, 3]])
 
 
 def test_an_unknown_obstacle_is_an_error():

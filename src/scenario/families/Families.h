@@ -17,4 +17,7 @@ Family tubeFamily();
 
 /// Links among random circles.
 Family circlesFamily();
+
+/// The arm of VDSM among pipes and prisms along its slide.
+Family pipesFamily();
 }  // namespace narrows

@@ -90,9 +90,14 @@ std::string Family::describe(const FamilyValues &values) const
     return name + text;
 }
 
+std::string toYaml(const Scene &scene, const std::string &name, const std::string &source)
+{
+    return std::visit([&](const auto &one) { return toYaml(one, name, source); }, scene);
+}
+
 const std::vector<Family> &families()
 {
-    static const std::vector<Family> all{circlesFamily(), corridorFamily(), slabFamily(), tubeFamily()};
+    static const std::vector<Family> all{circlesFamily(), corridorFamily(), pipesFamily(), slabFamily(), tubeFamily()};
     return all;
 }
 

@@ -5,9 +5,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scenario/families/CircleScene.h"
+#include "scenario/families/PipeScene.h"
 
 namespace narrows
 {
@@ -38,6 +40,12 @@ struct FamilyParameter
 /// Values by name: all that have a standard, and those that are given beside.
 using FamilyValues = std::map<std::string, double>;
 
+/// What families draw.
+using Scene = std::variant<CircleScene, PipeScene>;
+
+/// The scenario file of a scene.
+std::string toYaml(const Scene &scene, const std::string &name, const std::string &source);
+
 /// A kind of scenes with parameters. The same values draw the same scene, on every machine.
 struct Family
 {
@@ -45,7 +53,7 @@ struct Family
     std::string summary;
     std::vector<FamilyParameter> parameters;
     /// \throws std::invalid_argument if the values do not fit each other, or if no such scene was found in many draws
-    std::function<CircleScene(const FamilyValues &)> draw;
+    std::function<Scene(const FamilyValues &)> draw;
 
     /// \throws std::invalid_argument if there is no such parameter
     const FamilyParameter &parameter(const std::string &key) const;

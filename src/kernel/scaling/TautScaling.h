@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernel/scaling/ChainEasing.h"
+#include "kernel/scaling/SectionScaling.h"
+#include "kernel/scaling/TautString.h"
+
+namespace narrows
+{
+/// Scaling along a taut string: P_i is the point at the fraction k_{i,n+1} of the string from the base around the
+/// danger regions to the tip, so that every bend of the string is a new zoom centre. No link can be too short for a
+/// string shorter than the arm. Without obstacles this is the paper's scaling.
+/// Where links would cut corners, ChainEasing helps.
+class TautScaling final : public SectionScaling
+{
+public:
+    TautScaling(const ScalingProblem &problem, const ScalingOptions &options);
+
+    ScalingFault place(const Eigen::Vector2d &tip, SectionChain &chain) override;
+
+    const TautString &string() const { return string_; }
+
+private:
+    const ScalingProblem &problem_;
+    const ScalingOptions &options_;
+    std::vector<double> fractions_;
+    ChainEasing easing_;
+    TautString string_;
+};
+}  // namespace narrows

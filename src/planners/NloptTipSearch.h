@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "kernel/SpatialPoles.h"
+#include "kernel/TipSearch.h"
+
+namespace narrows
+{
+struct NloptOptions
+{
+    bool withoutDerivatives = false;  ///< COBYLA instead of SLSQP
+    double margin = 0.0;              ///< >= 0, a length: least clearance that the posture is asked to have
+};
+
+/// The posture nearest to where the search begins whose tip is at the target, within the limits of joints and universal
+/// joints and clear of obstacles (and of itself, if the poles have pairs of links), by NLopt. Limits that NLopt's
+/// answer misses by rounding are enforced afterwards.
+class NloptTipSearch : public TipSearch
+{
+public:
+    NloptTipSearch(std::shared_ptr<const SpatialPoles> poles, TipSearchTask task, const NloptOptions &options);
+    ~NloptTipSearch() override;
+
+    TipSearchResult reach(const Eigen::Vector3d &target, Eigen::VectorXd &q) override;
+
+private:
+    struct Program;
+
+    TipSearchTask task_;
+    std::unique_ptr<Program> program_;
+};
+}  // namespace narrows
