@@ -98,6 +98,52 @@ TEST(JointCentres, ChooseNoPitchForALinkAtRightAnglesToItsCircle)
     EXPECT_EQ(values, Vector3d(0.5, 0.0, -std::acos(0.0)));
 }
 
+/// Trans(a, 0, 0) Rot(z, alpha) Rot(y, theta) Trans(0, 0, d): the paper's transform from one joint to the next.
+Eigen::Isometry3d paperTransform(double a, double alpha, double theta, double d)
+{
+    return Eigen::Translation3d(a, 0.0, 0.0) * Eigen::AngleAxisd(alpha, Vector3d::UnitZ()) *
+           Eigen::AngleAxisd(theta, Vector3d::UnitY()) * Eigen::Translation3d(0.0, 0.0, d);
+}
+
+TEST(PaperKinematics, HasThetaWhereEquation1PrintsAlphaTwice)
+{
+    const double a = 486.0, alpha = 0.4, theta = -0.3, d = 7.0;
+    const double ca = std::cos(alpha), sa = std::sin(alpha), ct = std::cos(theta), st = std::sin(theta);
+    Eigen::Matrix4d corrected;
+    corrected << ca * ct, -sa, ca * st, a + d * ca * st,  //
+        sa * ct, ca, sa * st, d * sa * st,                //
+        -st, 0.0, ct, d * ct,                             //
+        0.0, 0.0, 0.0, 1.0;
+    EXPECT_LT((paperTransform(a, alpha, theta, d).matrix() - corrected).norm(), 1e-13);
+    EXPECT_GT(std::abs(ca * ca - ca * ct), 0.01) << "as printed";
+}
+
+/// Eq. 11-15, yaw first, and the paper's forward kinematics of the answer.
+TEST(PaperKinematics, HasTheSameCentresAndBendsAsOurs)
+{
+    const SpatialArm arm = hyperRedundantArm();
+    const ChainGeometry chain = chainGeometry(arm).value();
+    std::mt19937 generator(seed);
+    std::vector<Vector3d> centres;
+    for (int pose = 0; pose < 1000; ++pose)
+    {
+        const VectorXd q = randomPose(chain, generator);
+        jointCentres(arm, q, centres);
+        Eigen::Isometry3d frame(Eigen::Translation3d{centres[0]});
+        double previous = 0.0;  // a_i, the length of the link before
+        for (std::size_t i = 0; i < 8; ++i)
+        {
+            const Vector3d local = frame.linear().transpose() * (centres[i + 1] - centres[i]);
+            const double theta = std::asin(-local.z() / chain.lengths[i]);
+            const double alpha = std::asin(local.y() / (chain.lengths[i] * std::cos(theta)));
+            frame = frame * paperTransform(previous, alpha, theta, 0.0);
+            previous = chain.lengths[i];
+            EXPECT_LT((frame * Vector3d(previous, 0.0, 0.0) - centres[i + 1]).norm(), 1e-9);
+            EXPECT_NEAR(std::acos(std::cos(alpha) * std::cos(theta)), bendAngle(q[2 * i + 1], q[2 * i + 2]), 1e-7);
+        }
+    }
+}
+
 class BadCentres : public testing::Test
 {
 protected:

@@ -129,6 +129,38 @@ TEST(PathScaling, TipIsWhereItShallBe)
     }
 }
 
+TEST(PathScaling, TipsMayEnterTheRegionOfWhatIsBehindThem)
+{
+    ScalingProblem problem = paperProblem();
+    problem.sections.emplace_back(std::vector<Vector2d>{{600.0, 100.0}}, 150.0, Interval{1200.0, 1800.0});
+    std::vector<Vector3d> tips{{3126.0, 0.0, 0.0}};
+    appendLeg({{0.0, 0.0}, {600.0, 0.0}}, 3126.0, step, 0.0, tips);
+    ScalingOptions options = optionsOf(ScalingMode::Taut, 100.0);
+    EXPECT_EQ(scalePath(problem, tips, options).fault.failure, ScalingFailure::TipBlocked);
+    options.behind = {true};
+    const ScalingResult result = scalePath(problem, tips, options);
+    EXPECT_FALSE(result.fault) << toText(result.fault.failure) << " at " << result.poses();
+    ASSERT_EQ(result.poses(), tips.size());
+    EXPECT_EQ(result.pose(tips.size() - 1)[8], tips.back());
+    options.behind = {true, false};
+    EXPECT_THROW(scalePath(problem, tips, options), std::invalid_argument);
+}
+
+TEST(PathScaling, LateStartLeavesOutWhatCannotBeHad)
+{
+    const ScalingProblem problem = paperObstacle1();
+    std::vector<Vector3d> tips{{3126.0, -2500.0, 0.0}};
+    appendLeg({{-2500.0, 0.0}, {-1500.0, 0.0}}, 3126.0, step, 0.0, tips);
+    ScalingOptions options = optionsOf(ScalingMode::Taut, 100.0);
+    EXPECT_EQ(scalePath(problem, tips, options).fault.failure, ScalingFailure::Reach);
+    options.lateStart = true;
+    const ScalingResult result = scalePath(problem, tips, options);
+    EXPECT_FALSE(result.fault);
+    EXPECT_EQ(result.first, 78U);  // 2500 - 78 * 5 = 2110, the first below 3126 sin 42.5 = 2111.9
+    ASSERT_EQ(result.poses(), tips.size() - 78U);
+    EXPECT_EQ(result.pose(0)[8], tips[78]);
+}
+
 TEST(PathScaling, TopViewPassesTheThirdObstacle)
 {
     const ScalingProblem problem = paperObstacle3();

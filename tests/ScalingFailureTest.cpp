@@ -133,9 +133,14 @@ TEST_F(ScalingFailures, LinkClearanceUnlessEased)
 TEST_F(ScalingFailures, Jump)
 {
     maxJump = 1.0;  // every joint but the first ones moves more while the tip moves 5
-    const ScalingResult result = scale({{0.0, 0.0}, {500.0, 0.0}});
-    EXPECT_EQ(result.fault.failure, ScalingFailure::Jump);
-    EXPECT_EQ(result.poses(), 1U);
+    for (const ScalingMode mode :
+         {ScalingMode::PaperNearest, ScalingMode::PaperVertical, ScalingMode::Branch, ScalingMode::Taut})
+    {
+        options.mode = mode;
+        const ScalingResult result = scale({{0.0, 0.0}, {500.0, 0.0}});
+        EXPECT_EQ(result.fault.failure, ScalingFailure::Jump);
+        EXPECT_EQ(result.poses(), 1U);
+    }
 }
 
 TEST_F(ScalingFailures, Overlap)

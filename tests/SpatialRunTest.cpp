@@ -149,5 +149,15 @@ TEST(SpatialPlanners, PathsThatTheyCallExactAreVerified)
     }
     EXPECT_GE(solved, 13);
 }
+
+/// Inverse kinematics puts joints exactly at their limits, where a pole of the limits would be infinite.
+TEST(SpatialPlanners, HppmMayEndAtALimit)
+{
+    Scenario scenario = tinySpatialScenario();
+    auto &goal = std::get<Eigen::VectorXd>(scenario.spatial().task.goal);
+    goal[1] = 1.5;
+    const Record record = runOnce(specOf(scenario, "hppm"));
+    EXPECT_EQ(record.outcome, Outcome::Solved) << record.reason;
+}
 }  // namespace
 }  // namespace narrows

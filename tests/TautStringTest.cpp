@@ -88,7 +88,7 @@ TEST(TautString, PointsAreAtTheirShareOfTheLength)
     string.moveTip({4.0, 1.0 - 1e-6});
     std::vector<Vector2d> points;
     const double whole = string.length();
-    string.pointsAt({0.0, 0.5 * std::sqrt(2.0) / whole, (std::sqrt(2.0) + 1.0) / whole, 1.0}, points);
+    string.pointsAt({0.0, 0.5 * std::sqrt(2.0) / whole, (std::sqrt(2.0) + 1.0) / whole, 1.0}, string.tip(), points);
     EXPECT_LT((points[0] - Vector2d(0.0, 0.0)).norm(), 1e-12);
     EXPECT_LT((points[1] - Vector2d(0.5, 0.5)).norm(), 1e-12);
     EXPECT_LT((points[2] - Vector2d(2.0, 1.0)).norm(), 1e-12);

@@ -200,6 +200,7 @@ TEST(TipFollower, RefusesParametersOutOfRange)
                                                                              {"ikdls", "precision", "0"},
                                                                              {"ikdls", "precision", "1.5"},
                                                                              {"ikdls", "max_iterations", "0"},
+                                                                             {"ikdls", "max_iterations", "1001"},
                                                                              {"ikdls", "lambda", "0"},
                                                                              {"ikdls", "null_steps", "1"},
                                                                              {"ikprojection", "null_steps", "0"},

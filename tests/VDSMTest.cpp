@@ -4,69 +4,14 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
 
-#include "PlannerTrial.h"
-#include "TinyPipeProblem.h"
-#include "validity/Verifier.h"
+#include "VdsmRun.h"
 
 namespace narrows
 {
 namespace
 {
 using Eigen::Vector3d;
-using Parameters = std::map<std::string, std::string>;
-
-/// One run of the planner, and what the verifier says of its path.
-class VdsmRun
-{
-public:
-    explicit VdsmRun(const Scenario &scenario, const Parameters &parameters = {}, long patience = 1'000'000)
-      : world_(std::get<SpatialWorld>(scenario.world)), problem_(quietProblem(scenario))
-    {
-        planner = makePlanner("vdsm", problem_.context, parameters);
-        planner->setProblemDefinition(problem_.pdef);
-        planner->setup();
-        status = planner->solve(questions(patience));
-    }
-
-    const ModelPlanner &model() const { return dynamic_cast<const ModelPlanner &>(*planner); }
-    std::string reason() const { return model().reason(); }
-    double measure(const std::string &name) const { return model().measures().at(name); }
-    std::vector<Eigen::VectorXd> path() const
-    {
-        return problem_.space->unwrap(*problem_.pdef->getSolutionPath()->as<og::PathGeometric>());
-    }
-    Verdict verdict() const { return verify(*world_.model, world_.task, path()); }
-    bool solved() const { return status == ob::PlannerStatus::EXACT_SOLUTION; }
-    const ob::ProblemDefinition &pdef() const { return *problem_.pdef; }
-
-    ob::PlannerPtr planner;
-    ob::PlannerStatus status;
-
-private:
-    static Problem quietProblem(const Scenario &scenario)
-    {
-        ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-        return makeProblem(scenario);
-    }
-
-    SpatialWorld world_;
-    Problem problem_;
-};
-
-SpatialTipGoal tipAt(double y, double z, double x = 3126.0)
-{
-    return {7, {x, y, z}, 1e-6};
-}
-
-void expectVerified(const VdsmRun &run)
-{
-    ASSERT_TRUE(run.solved()) << run.status.asString() << " " << run.reason();
-    EXPECT_EQ(run.reason(), "");
-    const Verdict verdict = run.verdict();
-    EXPECT_TRUE(verdict.accepted) << verdict.reason << " " << verdict.segment << " " << verdict.obstacle;
-}
 
 TEST(VDSM, ScalesWhereNothingIsInTheWay)
 {
@@ -132,6 +77,14 @@ TEST(VDSM, PassesObstaclesOfFiniteLengthBeforeThem)
     expectVerified(VdsmRun(pipeScenario({between}, tipAt(800.0, 0.0))));
 }
 
+TEST(VDSM, EndsBeforeAnObstacleThatTheArmGoesRound)
+{
+    // In the section plane the tip is to be near the block, which is 1326 behind it, and the straight arm runs into it.
+    const SpatialObstacle block{
+        "block", Box{Eigen::Isometry3d(Eigen::Translation3d(1500.0, 500.0, 100.0)), {300.0, 150.0, 150.0}}};
+    expectVerified(VdsmRun(pipeScenario({block}, tipAt(560.0, -40.0))));
+}
+
 TEST(VDSM, PassesACrossbarInTheTopView)
 {
     const SpatialObstacle bar{
@@ -180,6 +133,35 @@ TEST(VDSM, NamesWhyItFails)
     EXPECT_NE(late.status, ob::PlannerStatus::EXACT_SOLUTION);
 }
 
+TEST(VDSM, PassesOverlappingPipesAsOne)
+{
+    const VdsmRun run(pipeScenario({pipe(600.0, -150.0, 150.0), pipe(600.0, 150.0, 150.0)}, tipAt(1200.0, 100.0)));
+    expectVerified(run);
+}
+
+TEST(VDSM, NamesPipesThatEncloseTheBase)
+{
+    std::vector<SpatialObstacle> ring;
+    for (int i = 0; i < 8; ++i)
+        ring.push_back(
+            pipe(600.0 * std::cos(i * std::acos(0.0) / 2.0), 600.0 * std::sin(i * std::acos(0.0) / 2.0), 200.0));
+    const VdsmRun run(pipeScenario(ring, tipAt(1300.0, 0.0)));
+    EXPECT_FALSE(run.solved());
+    EXPECT_EQ(run.reason(), "overlap");
+}
+
+TEST(VDSM, StartsFromAnyPose)
+{
+    // A pose that no scaling yields, with its tip beyond the reach of scaling.
+    Scenario scenario = pipeScenario({pipe(-500.0, 300.0, 150.0)}, tipAt(600.0, 400.0));
+    Eigen::VectorXd &start = std::get<SpatialWorld>(scenario.world).task.start;
+    start[0] = 500.0;
+    for (int i = 0; i < 4; ++i)
+        start[2 + 2 * i] = 0.3;
+    start[11] = -0.2;
+    expectVerified(VdsmRun(scenario));
+}
+
 TEST(VDSM, SaysForWhichRobotsItIs)
 {
     const Problem planar = tinyProblem();
@@ -197,8 +179,9 @@ TEST(VDSM, SaysForWhichRobotsItIs)
 TEST(VDSM, RefusesParametersOutOfRange)
 {
     const Problem problem = makeProblem(tinyPipeScenario());
-    const Parameters bad{{"mode", "paper"}, {"margin", "61"},     {"margins", ""},  {"side_search", "0"},
-                         {"step", "-1"},    {"max_jump", "-0.1"}, {"easing", "-1"}, {"retraction", "-5"}};
+    const std::map<std::string, std::string> bad{{"mode", "paper"},    {"margin", "61"},    {"margins", ""},
+                                                 {"side_search", "0"}, {"step", "-1"},      {"max_jump", "-0.1"},
+                                                 {"easing", "-1"},     {"retraction", "-5"}};
     for (const auto &[name, value] : bad)
         EXPECT_THROW(makePlanner("vdsm", problem.context, {{name, value}}), ParameterError) << name;
     EXPECT_NO_THROW(makePlanner("vdsm", problem.context, {{"margin", "0"}, {"margins", "1, 2"}}));

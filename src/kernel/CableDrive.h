@@ -4,29 +4,16 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
+#include "kernel/CableJoint.h"
 
 namespace narrows
 {
-/// Which of its two angles a universal joint turns by first.
-enum class UniversalOrder
-{
-    PitchFirst,  ///< Rot(y, pitch) Rot(z, yaw): universalChain()
-    YawFirst     ///< Rot(z, alpha) Rot(y, theta): Eq. 1 of VDSM, alpha its yaw, theta its pitch
-};
-
-struct UniversalAngles
-{
-    double pitch;
-    double yaw;
-};
-
 /// How the search for the angles that belong to cable lengths ended.
 enum class CableStatus
 {
     Solved,
     NotFinite,     ///< a length is not a finite number
-    Inconsistent,  ///< no angles yield these lengths; the angles are those whose lengths are nearest
+    Inconsistent,  ///< no angles were found that yield these lengths; those that are given come nearest
     FacesMeet,     ///< the angles that yield them bend a joint so far that its end faces would meet
     NotConverged
 };
@@ -48,9 +35,10 @@ struct DriveSolution
     Eigen::VectorXd angles;  ///< pitch 1, yaw 1, pitch 2, ...; zero from the first joint that is not solved
 };
 
-/// The cables of a chain of universal joints (Section 5.2, Eq. 16-21): three per link, which end at the link that they
-/// drive and run through holes in all links before it. The holes of cables a, b, c of one link are 120 degrees apart,
-/// the links' holes share out these 120 degrees: 24 holes at 15 degrees for the paper's eight links.
+/// The cables of a chain of universal joints (VDSM, Machines 10 (2022) 1030, Section 5.2, Eq. 16-21): three per link,
+/// which end at the link that they drive and run through holes in all links before it. The holes of cables a, b, c of
+/// one link are 120 degrees apart, the links' holes share out these 120 degrees: 24 holes at 15 degrees for the paper's
+/// eight links.
 ///
 /// Links, joints and cables are counted from 0; joint i carries link i; cable 3 j + k drives link j (k = 0, 1, 2: a, b,
 /// c) and passes joints 0 .. j. The angle of a hole is counted from z towards y. Immutable and thread-safe.
@@ -93,9 +81,6 @@ public:
     DriveSolution anglesFromTotals(const Eigen::Ref<const Eigen::VectorXd> &lengths, double tolerance = 1e-9) const;
 
 private:
-    /// The part of a cable at a joint that turns like this.
-    double lengthAcross(int cable, const Eigen::Matrix3d &turn) const;
-
     std::vector<double> linkLengths_;
     double faceDistance_;
     double holeRadius_;

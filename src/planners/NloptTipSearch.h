@@ -14,6 +14,8 @@ struct NloptOptions
     double margin = 0.0;              ///< >= 0, a length: least clearance that the posture is asked to have
 };
 
+struct NloptProgram;
+
 /// The posture nearest to where the search begins whose tip is at the target, within the limits of joints and universal
 /// joints and clear of obstacles (and of itself, if the poles have pairs of links), by NLopt. Limits that NLopt's
 /// answer misses by rounding are enforced afterwards.
@@ -26,9 +28,7 @@ public:
     TipSearchResult reach(const Eigen::Vector3d &target, Eigen::VectorXd &q) override;
 
 private:
-    struct Program;
-
     TipSearchTask task_;
-    std::unique_ptr<Program> program_;
+    std::unique_ptr<NloptProgram> program_;
 };
 }  // namespace narrows

@@ -137,6 +137,9 @@ void RecipeSampler::charge(ompl::RNG &random, CurveRecipe &recipe) const
     const int mirror = random.uniformBool() ? 1 : -1;
     for (std::size_t i = 0; i < groups; ++i)
     {
+        // What an end touches, a limit as a rule, can have no pole: it would be infinite there.
+        if (!std::isfinite(atStart_.weights[i]) || !std::isfinite(atGoal_.weights[i]))
+            continue;
         const int chance = random.uniformBool() ? 1 : -1;
         const int side = byRule ? mirror * (sides[i] != 0 ? sides[i] : 1) : chance;
         const int row = rows_ == 1 ? 0 : random.uniformInt(0, rows_ - 1);
@@ -149,7 +152,7 @@ void RecipeSampler::charge(ompl::RNG &random, CurveRecipe &recipe) const
 void RecipeSampler::balance(ompl::RNG &random, Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> strengths) const
 {
     const double size = strengths.norm();
-    const Eigen::RowVectorXd present = (strengths.array() != 0.0).cast<double>();
+    const Eigen::Array<bool, 1, Eigen::Dynamic> present = strengths.array() != 0.0;
     for (int sweep = 0; sweep < 3; ++sweep)
     {
         // Nearly equal signs leave little when they are balanced; too weak poles are walls that steps jump over.
@@ -157,8 +160,8 @@ void RecipeSampler::balance(ompl::RNG &random, Eigen::Ref<Eigen::RowVectorXd, 0,
             strengths *= size / strengths.norm();
         for (const Surroundings *end : {&atStart_, &atGoal_})
         {
-            const Eigen::RowVectorXd weights =
-                Eigen::Map<const Eigen::RowVectorXd>(end->weights.data(), strengths.size()).cwiseProduct(present);
+            const Eigen::Map<const Eigen::RowVectorXd> all(end->weights.data(), strengths.size());
+            const Eigen::RowVectorXd weights = present.select(all, 0.0);
             const double value = weights.dot(strengths);
             if (!(std::abs(value) > mostAtEnds))
                 continue;

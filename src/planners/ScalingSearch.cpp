@@ -109,12 +109,22 @@ double ScalingSearch::startDistance(const ConvexSection &section) const
     return least;
 }
 
+/// Are all waypoints beyond an obstacle along the slide, so that the arm may end before it?
+bool ScalingSearch::isBehindTips(const ConvexSection &section) const
+{
+    return std::all_of(waypoints_.begin(), waypoints_.end(),
+                       [&](const Vector3d &waypoint) { return section.span().upper + problem_.radius < waypoint.x(); });
+}
+
 ScalingSearch::Margins ScalingSearch::margins(double wanted) const
 {
-    Margins result{std::max(wanted, problem_.radius), {}, {}};
+    Margins result{std::max(wanted, problem_.radius), {}, {}, {}};
     for (const ConvexSection &section : considered_.sections)
     {
-        const double tip = std::min(tipGap * wanted, waypointGap * tipDistance(section));
+        const double nearest = waypointGap * tipDistance(section);
+        const bool behind = nearest < problem_.radius && isBehindTips(section);
+        const double tip = behind ? tipGap * wanted : std::min(tipGap * wanted, nearest);
+        result.behind.push_back(behind);
         // The string must neither begin nor end in a danger region.
         const bool taut = settings_.mode == ScalingMode::Taut;
         const double joints =
@@ -159,7 +169,15 @@ void ScalingSearch::prepareSides()
     std::vector<Vector2d> points;
     for (const Vector3d &waypoint : waypoints_)
         points.push_back(waypoint.tail<2>());
-    routes_.emplace(considered_.sections, margins_[margin_].tip, std::move(points));
+    std::vector<ConvexSection> inTheWay;
+    std::vector<double> clearances;
+    for (std::size_t s = 0; s < considered_.sections.size(); ++s)
+        if (!margins_[margin_].behind[s])
+        {
+            inTheWay.push_back(considered_.sections[s]);
+            clearances.push_back(margins_[margin_].tip[s]);
+        }
+    routes_.emplace(inTheWay, clearances, std::move(points));
     sides_ = cheapestSides(*routes_, static_cast<std::size_t>(settings_.sideSearch));
     side_ = 0;
 }
@@ -226,9 +244,11 @@ ScaledWay ScalingSearch::scale(const std::vector<bool> &longer, const std::funct
     options.mode = settings_.mode;
     options.margin = way.margin;
     options.margins = margins_[margin_].joints;
+    options.behind = margins_[margin_].behind;
     options.maxJump = settings_.maxJump;
     options.easing = settings_.easing;
     options.wrapping = project(start_);
+    options.lateStart = waypoints_.size() == 2;  // no place but the last one matters
     options.interrupt = interrupted;
     way.scaled = scalePath(considered_, way.tips, options);
     way.fault = way.scaled.fault;

@@ -58,11 +58,13 @@ private:
         double all;                  ///< as wanted, for all
         std::vector<double> joints;  ///< of the danger regions
         std::vector<double> tip;     ///< distances that the tip keeps on bypasses
+        std::vector<bool> behind;    ///< tips are in these regions, but before the obstacle
     };
 
     void activate(std::size_t section);
     double tipDistance(const ConvexSection &section) const;
     double startDistance(const ConvexSection &section) const;
+    bool isBehindTips(const ConvexSection &section) const;
     Margins margins(double wanted) const;
     void prepareMargins();
     void prepareSides();

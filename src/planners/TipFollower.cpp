@@ -36,7 +36,7 @@ TipFollower::TipFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<cons
     declareParam<double>("step", this, &TipFollower::setStep, &TipFollower::getStep);
     declareParam<double>("precision", this, &TipFollower::setPrecision, &TipFollower::getPrecision, "0:0.01:1");
     declareParam<int>("max_iterations", this, &TipFollower::setMaxIterations, &TipFollower::getMaxIterations,
-                      "1:1:100000");
+                      "1:1:1000");
 }
 
 void TipFollower::setStep(double step)
@@ -55,8 +55,9 @@ void TipFollower::setPrecision(double share)
 
 void TipFollower::setMaxIterations(int iterations)
 {
-    if (iterations < 1)
-        throw std::invalid_argument("max_iterations must be positive");
+    // The termination condition is only asked between waypoints.
+    if (iterations < 1 || iterations > 1000)
+        throw std::invalid_argument("max_iterations must be in [1, 1000]");
     maxIterations_ = iterations;
 }
 

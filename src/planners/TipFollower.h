@@ -42,7 +42,7 @@ public:
     double getStep() const { return step_; }
     void setPrecision(double share);  ///< how near the tip has to come, as a share in (0, 1] of the goal's tolerance
     double getPrecision() const { return precision_; }
-    void setMaxIterations(int iterations);  ///< for one waypoint, > 0
+    void setMaxIterations(int iterations);  ///< for one waypoint, in [1, 1000]
     int getMaxIterations() const { return maxIterations_; }
 
 protected:

@@ -18,7 +18,7 @@ constexpr std::size_t longestStride = 64;
 /// Poses whose values differ by less are one pose, computed twice.
 constexpr double rounding = 1e-12;
 constexpr double muchLess = 0.8;
-/// Motions in which a pose is bent into another one with the same tip.
+/// Motions in which a pose is bent into another one.
 constexpr int bends = 16;
 
 /// Length of the tip's way from one of its points on; infinity if there is no way.
@@ -40,7 +40,8 @@ VDSM::Attempt VDSM::follow(const ScaledWay &way, const Search &search, const ob:
     Eigen::VectorXd values;
     // A part of the way is worth checking only if it may be much longer than the longest so far.
     const bool promising =
-        !way.fault || (poses > 0 && (!best_ || restFrom(way.tips, poses - 1) < muchLess * best_->rest));
+        !way.fault || (!search.coarse && poses > 0 &&
+                       (!best_ || restFrom(way.tips, way.scaled.first + poses - 1) < muchLess * best_->rest));
     if (!promising || poses == 0 || !translator.toValues(way.scaled.pose(0), values))
         return attempt;
     const bool same = (values - start_).lpNorm<Eigen::Infinity>() <= rounding;
@@ -69,8 +70,8 @@ VDSM::Attempt VDSM::follow(const ScaledWay &way, const Search &search, const ob:
         }
         stride = std::max<std::size_t>((to - at) / 2, 1);
     }
-    attempt.rest = restFrom(way.tips, at);
-    if (at + 1 < way.tips.size())
+    attempt.rest = restFrom(way.tips, way.scaled.first + at);
+    if (way.scaled.first + at + 1 < way.tips.size())
     {
         if (attempt.reason.empty())
             attempt.reason = "timeout";
@@ -81,8 +82,8 @@ VDSM::Attempt VDSM::follow(const ScaledWay &way, const Search &search, const ob:
     return attempt;
 }
 
-/// Appends motions from one pose to another one with the same tip: the straight one or, if that is not free, a bend
-/// of the one into the other in the section plane.
+/// Appends motions from one pose to another one whose tip is the same, or near: the straight one or, if that is not
+/// free, a bend of the one into the other in the section plane.
 bool VDSM::join(const Eigen::VectorXd &from, const Eigen::VectorXd &to, Attempt &attempt) const
 {
     if (isFree(from, to))
@@ -106,7 +107,8 @@ bool VDSM::join(const Eigen::VectorXd &from, const Eigen::VectorXd &to, Attempt 
             chain[i] = (1.0 - share) * first[i].tail<2>() + share * last[i].tail<2>();
         Eigen::VectorXd values = to;
         if (k < bends &&
-            (rules.lift(chain, last.back().x(), centres.data()) || !translator.toValues(centres.data(), values)))
+            (rules.lift(chain, (1.0 - share) * first.back().x() + share * last.back().x(), centres.data()) ||
+             !translator.toValues(centres.data(), values)))
             return false;
         if (!isFree(states.empty() ? from : states.back(), values))
             return false;

@@ -34,7 +34,7 @@ ChainEasing::ChainEasing(const ScalingProblem &problem, const ScalingOptions &op
         wanted_.push_back(problem.radius + marginShare * (options.marginOf(s) - problem.radius));
 }
 
-void ChainEasing::ease(SectionChain &chain) const
+void ChainEasing::ease(SectionChain &chain, std::optional<std::size_t> passed, std::size_t links) const
 {
     for (int round = 0; round < options_.easing; ++round)
     {
@@ -43,7 +43,8 @@ void ChainEasing::ease(SectionChain &chain) const
         {
             kept = !straighten(chain, i) && kept;
             for (std::size_t s = 0; s < problem_.sections.size(); ++s)
-                kept = !push(chain, i, s) && kept;
+                if (i < links || s != passed)
+                    kept = !push(chain, i, s) && kept;
         }
         if (kept)
             return;

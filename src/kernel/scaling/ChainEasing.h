@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "kernel/scaling/PathScaling.h"
 
 namespace narrows
@@ -17,7 +19,8 @@ public:
     ChainEasing(const ScalingProblem &problem, const ScalingOptions &options);
 
     /// At most `options.easing` rounds over all links and joints; it may be in vain.
-    void ease(SectionChain &chain) const;
+    /// \param passed a section that does not push the links from `links` on
+    void ease(SectionChain &chain, std::optional<std::size_t> passed, std::size_t links) const;
 
 private:
     bool push(SectionChain &chain, std::size_t link, std::size_t section) const;

@@ -37,6 +37,8 @@ void examine(const ScalingProblem &problem, const ScalingOptions &options)
     require(problem.maxAngle >= 0.0, "the largest link angle must not be negative");
     require(options.margins.empty() || options.margins.size() == problem.sections.size(),
             "every section needs a margin");
+    require(options.behind.empty() || options.behind.size() == problem.sections.size(),
+            "of every section it must be said whether it is behind");
     require(options.margin >= problem.radius && std::isfinite(options.margin) &&
                 std::all_of(options.margins.begin(), options.margins.end(),
                             [&](double margin) { return margin >= problem.radius && std::isfinite(margin); }),
@@ -59,41 +61,57 @@ ScalingFault jump(const SectionChain &former, const SectionChain &chain, double 
     return {};
 }
 
+/// Step 1: how far from the slide a tip can be; beyond that psi_1 alone would have to turn a straight arm too far.
+double reachOf(const ScalingProblem &problem)
+{
+    const double half = std::acos(0.0);
+    return problem.reach() * std::sin(std::min(problem.maxAngle, half));
+}
+
+ScalingFault reachFault(const ScalingProblem &problem)
+{
+    return {ScalingFailure::Reach, static_cast<int>(problem.links()) - 1};
+}
+
 /// Steps 5 and 6 for one tip after another.
 ScalingResult scaleOneByOne(const ScalingProblem &problem, const std::vector<Vector3d> &tips,
                             const ScalingOptions &options)
 {
     const PoseRules rules(problem);
+    const double reach = reachOf(problem);
     const std::unique_ptr<SectionScaling> scaling = makeScaling(problem, options);
     ScalingResult result;
     result.stride = problem.links() + 1;
     result.centres.resize(tips.size() * result.stride);
     SectionChain chain, former;
     std::size_t done = 0;
-    for (; done < tips.size() && (done % patience != 0 || !options.isInterrupted()); ++done)
+    for (std::size_t t = 0; t < tips.size() && (t % patience != 0 || !options.isInterrupted()); ++t)
     {
         Vector3d *const centres = result.centres.data() + done * result.stride;
-        result.fault = scaling->place(tips[done].tail<2>(), chain);
+        result.fault = tips[t].tail<2>().norm() <= reach ? ScalingFault{} : reachFault(problem);
+        if (!result.fault || options.lateStart)  // the string has to go all the way
+        {
+            const ScalingFault fault = scaling->place(tips[t].tail<2>(), chain);
+            result.fault = result.fault ? result.fault : fault;
+        }
         if (!result.fault)
-            result.fault = rules.lift(chain, tips[done].x(), centres);
+            result.fault = rules.lift(chain, tips[t].x(), centres);
         if (!result.fault)
             result.fault = rules.check(centres);
         if (!result.fault)
             result.fault = jump(former, chain, options.maxJump);
+        if (result.fault && done == 0 && options.lateStart)
+        {
+            result.first = t + 1;
+            continue;
+        }
         if (result.fault)
             break;
         former = chain;
+        ++done;
     }
     result.centres.resize(done * result.stride);
     return result;
-}
-
-/// Step 1 for one tip: what no mode can reach, as psi_1 alone would have to turn a straight arm there.
-bool isInReach(const ScalingProblem &problem, const Vector3d &tip)
-{
-    const double half = std::acos(0.0);
-    const double radius = problem.reach() * std::sin(std::min(problem.maxAngle, half));
-    return tip.tail<2>().norm() <= radius;
 }
 
 ScalingFault baseFault(const ScalingProblem &problem, const ScalingOptions &options)
@@ -108,23 +126,21 @@ ScalingFault baseFault(const ScalingProblem &problem, const ScalingOptions &opti
 ScalingResult scalePath(const ScalingProblem &problem, const std::vector<Vector3d> &tips, const ScalingOptions &options)
 {
     examine(problem, options);
-    const auto reached =
-        std::find_if(tips.begin(), tips.end(), [&](const Vector3d &tip) { return !isInReach(problem, tip); });
-    if (reached != tips.end())
-    {
-        const std::vector<Vector3d> before(tips.begin(), reached);
-        ScalingResult result = before.empty() ? ScalingResult{} : scalePath(problem, before, options);
-        result.stride = problem.links() + 1;
-        if (!result.fault)
-            result.fault = {ScalingFailure::Reach, static_cast<int>(problem.links()) - 1};
+    ScalingResult result;
+    result.stride = problem.links() + 1;
+    result.fault = baseFault(problem, options);
+    if (result.fault)
         return result;
-    }
-    if (const ScalingFault fault = baseFault(problem, options))
-        return {{}, problem.links() + 1, fault};
-    if (!problem.crossbars.empty())
-        return TopViewScaling(problem, options).run(tips);
-    if (options.mode == ScalingMode::Branch)
-        return BranchScaling(problem, options).run(tips);
-    return scaleOneByOne(problem, tips, options);
+    if (problem.crossbars.empty() && options.mode != ScalingMode::Branch)
+        return scaleOneByOne(problem, tips, options);
+    const auto beyond =
+        std::find_if(tips.begin(), tips.end(),
+                     [reach = reachOf(problem)](const Vector3d &tip) { return tip.tail<2>().norm() > reach; });
+    const std::vector<Vector3d> before(tips.begin(), beyond);
+    result = problem.crossbars.empty() ? BranchScaling(problem, options).run(before)
+                                       : TopViewScaling(problem, options).run(before);
+    if (!result.fault && result.poses() == before.size() && beyond != tips.end())
+        result.fault = reachFault(problem);
+    return result;
 }
 }  // namespace narrows

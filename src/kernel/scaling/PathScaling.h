@@ -24,9 +24,14 @@ struct ScalingOptions
     double maxJump = 0.0;         ///< largest way of a joint in the section plane from one tip to the next, > 0
     int easing = 40;              ///< rounds in which poses that break a rule are eased (Taut)
     SectionChain wrapping;        ///< joints of a pose whose way around the obstacles is to be kept (Taut); empty: none
+    /// Per section: tips may be in its danger region, as they are beyond it along the slide (Taut); empty: none.
+    std::vector<bool> behind;
+    /// Tips at the beginning that cannot be had are left out (not by Branch, nor at crossbars).
+    bool lateStart = false;
     std::function<bool()> interrupt;  ///< asked now and then, if set; true ends the work
 
     bool isInterrupted() const { return interrupt && interrupt(); }
+    bool isBehind(std::size_t section) const { return !behind.empty() && behind[section]; }
     double marginOf(std::size_t section) const { return margins.empty() ? margin : margins[section]; }
 };
 
@@ -34,6 +39,7 @@ struct ScalingOptions
 struct ScalingResult
 {
     std::vector<Eigen::Vector3d> centres;  ///< O_1 .. O_{n+1} for every pose, in the slide frame
+    std::size_t first = 0;                 ///< the tip that the first pose belongs to
     std::size_t stride = 0;                ///< n + 1
     ScalingFault fault;                    ///< of the pose after the last; no failure: all are there, or interrupted
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "kernel/scaling/ChainEasing.h"
+#include "kernel/scaling/Outline.h"
 #include "kernel/scaling/SectionScaling.h"
 #include "kernel/scaling/TautString.h"
 
@@ -11,6 +14,9 @@ namespace narrows
 /// danger regions to the tip, so that every bend of the string is a new zoom centre. No link can be too short for a
 /// string shorter than the arm. Without obstacles this is the paper's scaling.
 /// Where links would cut corners, ChainEasing helps.
+///
+/// A tip inside a danger region that is behind it holds the string by a straight way in from the region's boundary,
+/// between the tip and the centre: the last links pass before the obstacle.
 class TautScaling final : public SectionScaling
 {
 public:
@@ -21,10 +27,13 @@ public:
     const TautString &string() const { return string_; }
 
 private:
+    std::optional<std::size_t> blockedBy(const Eigen::Vector2d &tip) const;
+
     const ScalingProblem &problem_;
     const ScalingOptions &options_;
     std::vector<double> fractions_;
     ChainEasing easing_;
     TautString string_;
+    std::vector<Outline> holds_;  ///< per section behind the tips: where the string may end; empty for the others
 };
 }  // namespace narrows

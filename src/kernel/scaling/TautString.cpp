@@ -164,24 +164,29 @@ double TautString::length() const
     return sum;
 }
 
-void TautString::pointsAt(const std::vector<double> &fractions, std::vector<Vector2d> &points) const
+void TautString::pointsAt(const std::vector<double> &fractions, const Vector2d &end,
+                          std::vector<Vector2d> &points) const
 {
     points.resize(fractions.size());
-    const double whole = length();
+    const double whole = length() + (end - tip_).norm();
+    const auto at = [&](std::size_t index) -> const Vector2d &
+    {
+        return index <= contacts_.size() + 1 ? node(index) : end;
+    };
     std::size_t segment = 0;
     double begin = 0.0;
-    double extent = (node(1) - node(0)).norm();
+    double extent = (at(1) - at(0)).norm();
     for (std::size_t i = 0; i < fractions.size(); ++i)
     {
         const double wanted = fractions[i] * whole;
-        while (segment < contacts_.size() && begin + extent < wanted)
+        while (segment <= contacts_.size() && begin + extent < wanted)
         {
             begin += extent;
             ++segment;
-            extent = (node(segment + 1) - node(segment)).norm();
+            extent = (at(segment + 1) - at(segment)).norm();
         }
         const double share = extent > 0.0 ? std::clamp((wanted - begin) / extent, 0.0, 1.0) : 0.0;
-        points[i] = node(segment) + share * (node(segment + 1) - node(segment));
+        points[i] = at(segment) + share * (at(segment + 1) - at(segment));
     }
 }
 }  // namespace narrows

@@ -38,10 +38,11 @@ public:
     const std::vector<Contact> &contacts() const { return contacts_; }
     double length() const;
 
-    /// The points at these fractions of the string's length.
+    /// The points at these fractions of the length of the string and a straight way on from its tip to `end`.
     /// \param fractions ascending, in [0, 1]
     /// \param points resized to fit
-    void pointsAt(const std::vector<double> &fractions, std::vector<Eigen::Vector2d> &points) const;
+    void pointsAt(const std::vector<double> &fractions, const Eigen::Vector2d &end,
+                  std::vector<Eigen::Vector2d> &points) const;
 
 private:
     struct Sweep;

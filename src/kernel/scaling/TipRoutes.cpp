@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "kernel/SegmentDistance.h"
 #include "kernel/scaling/Cross.h"
+#include "kernel/scaling/Outline.h"
 #include "kernel/scaling/TautString.h"
 
 namespace narrows
@@ -17,80 +17,6 @@ namespace
 {
 /// Ways around a region run this much outside it, relative to its size: what is pulled taut must not touch it.
 constexpr double lift = 1e-6;
-
-std::size_t following(const std::vector<Vector2d> &outline, std::size_t corner)
-{
-    return corner + 1 == outline.size() ? 0 : corner + 1;
-}
-
-Vector2d middle(const std::vector<Vector2d> &outline)
-{
-    Vector2d sum = Vector2d::Zero();
-    for (const Vector2d &corner : outline)
-        sum += corner;
-    return sum / static_cast<double>(outline.size());
-}
-
-double extent(const std::vector<Vector2d> &outline)
-{
-    const Vector2d center = middle(outline);
-    double most = 0.0;
-    for (const Vector2d &corner : outline)
-        most = std::max(most, (corner - center).norm());
-    return most;
-}
-
-double lengthOf(const std::vector<Vector2d> &corners)
-{
-    double sum = 0.0;
-    for (std::size_t i = 1; i < corners.size(); ++i)
-        sum += (corners[i] - corners[i - 1]).norm();
-    return sum;
-}
-
-bool overlap(const std::vector<Vector2d> &a, const std::vector<Vector2d> &b)
-{
-    const Polygon polygon{b};
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (distance(a[i], a[following(a, i)], polygon) <= 0.0)
-            return true;
-    return contains(Polygon{a}, b[0]);
-}
-
-/// Where a directed line is inside a convex polygon, as shares of ab between two bounds.
-struct Stretch
-{
-    double enters = -1e300, leaves = 1e300;
-    std::size_t entryEdge = 0, exitEdge = 0;
-};
-
-std::optional<Stretch> clip(const Vector2d &a, const Vector2d &b, const std::vector<Vector2d> &outline,
-                            double low = -1e300, double high = 1e300)
-{
-    Stretch result{low, high};
-    for (std::size_t i = 0; i < outline.size(); ++i)
-    {
-        const Vector2d edge = outline[following(outline, i)] - outline[i];
-        const double height = cross(edge, a - outline[i]);  // >= 0: inside of this edge
-        const double slope = cross(edge, b - a);
-        if (slope == 0.0 && height < 0.0)
-            return std::nullopt;
-        if (slope == 0.0)
-            continue;
-        const double t = -height / slope;
-        if (slope > 0.0 && t > result.enters)
-        {
-            result.enters = t;
-            result.entryEdge = i;
-        }
-        if (slope < 0.0 && t < result.leaves)
-        {
-            result.leaves = t;
-            result.exitEdge = i;
-        }
-    }
-    return result.enters < result.leaves ? std::optional<Stretch>(result) : std::nullopt;
-}
 }  // namespace
 
 TipRoutes::TipRoutes(const std::vector<ConvexSection> &sections, const std::vector<double> &clearances,

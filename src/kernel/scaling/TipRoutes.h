@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kernel/scaling/Outline.h"
 #include "kernel/scaling/ScalingProblem.h"
 
 namespace narrows
@@ -30,7 +31,6 @@ public:
     std::vector<Eigen::Vector2d> leg(std::size_t index, const std::vector<bool> &longer) const;
 
 private:
-    using Outline = std::vector<Eigen::Vector2d>;
     /// A region on a leg, or between a leg and the base: from where to where on the leg, and on which edges of the
     /// region.
     struct Hit
