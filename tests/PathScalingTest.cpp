@@ -132,7 +132,7 @@ TEST(PathScaling, TipIsWhereItShallBe)
 TEST(PathScaling, TipsMayEnterTheRegionOfWhatIsBehindThem)
 {
     ScalingProblem problem = paperProblem();
-    problem.sections.emplace_back(std::vector<Vector2d>{{600.0, 100.0}}, 150.0, Interval{1200.0, 1800.0});
+    problem.sections.emplace_back(std::vector<Vector2d>{{500.0, 100.0}}, 150.0, Interval{1200.0, 1800.0});
     std::vector<Vector3d> tips{{3126.0, 0.0, 0.0}};
     appendLeg({{0.0, 0.0}, {600.0, 0.0}}, 3126.0, step, 0.0, tips);
     ScalingOptions options = optionsOf(ScalingMode::Taut, 100.0);

@@ -15,8 +15,8 @@ namespace narrows
 /// string shorter than the arm. Without obstacles this is the paper's scaling.
 /// Where links would cut corners, ChainEasing helps.
 ///
-/// A tip inside a danger region that is behind it holds the string by a straight way in from the region's boundary,
-/// between the tip and the centre: the last links pass before the obstacle.
+/// For a tip inside a danger region that is behind it, the string ends where the ray from the region's centre through
+/// the tip leaves it, and the rest of the way to the tip is straight: the last links pass before the obstacle.
 class TautScaling final : public SectionScaling
 {
 public:
