@@ -3,7 +3,8 @@
 """Pictures of arms among obstacles.
 
   draw.py run SCENARIO.yaml RECORD.json OUT.svg     one run, as `narrows plan --json` writes it
-  draw.py campaign RESULTS.db -o DIR                one picture per scenario, one panel per planner: its best run
+  draw.py campaign RESULTS.db -o DIR                one picture per group of scenarios (a sweep's seeds are one),
+                                                  of its first one; one panel per planner: its best run
 """
 
 import argparse
@@ -112,7 +113,8 @@ def draw_run(scenario, record, target):
 
 
 RUNS = """
-SELECT experiments.scenario AS scenario, instances.scenario AS text, plannerConfigs.name AS label, runs.id AS id,
+SELECT experiments.scenario AS scenario, instances.scenario AS text,
+       json_extract(instances.options, '$.group') AS family, plannerConfigs.name AS label, runs.id AS id,
        runs.solved AS solved, runs.cpu_time AS cpu, runs.solution_length AS length, runs.prescribed AS prescribed,
        experiments.checker AS checker
 FROM runs JOIN experiments ON experiments.id = runs.experimentid JOIN instances USING (experimentid)
@@ -141,8 +143,10 @@ def draw_campaign(path, folder):
     """\\return the files that were written."""
     database = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
     database.row_factory = sqlite3.Row
-    scenarios = {}
+    scenarios, shown = {}, {}
     for run in database.execute(RUNS):
+        if shown.setdefault(run["family"], run["scenario"]) != run["scenario"]:
+            continue
         scenario = scenarios.setdefault(run["scenario"], {"text": run["text"], "labels": {}})
         scenario["labels"].setdefault(run["label"], []).append(run)
     written = []
@@ -168,7 +172,7 @@ def main(arguments=None):
     run.add_argument("scenario")
     run.add_argument("record")
     run.add_argument("out")
-    campaign = commands.add_parser("campaign", help="one picture per scenario of a database")
+    campaign = commands.add_parser("campaign", help="one picture per group of scenarios")
     campaign.add_argument("database")
     campaign.add_argument("-o", "--output", required=True)
     given = parser.parse_args(arguments)

@@ -13,7 +13,7 @@ SCENARIOS = [file for file in FILES if "\ngenerate:" not in file.read_text()]  #
 # The columns that pictures need; `narrows bench` makes more (docs/database.md).
 TABLES = """
 CREATE TABLE experiments (id INTEGER PRIMARY KEY, name TEXT, scenario TEXT, checker TEXT);
-CREATE TABLE instances (experimentid INTEGER, scenario TEXT);
+CREATE TABLE instances (experimentid INTEGER, scenario TEXT, options TEXT);
 CREATE TABLE plannerConfigs (id INTEGER PRIMARY KEY, name TEXT);
 CREATE TABLE runs (id INTEGER PRIMARY KEY, experimentid INTEGER, plannerid INTEGER, solved INTEGER, cpu_time REAL,
   solution_length REAL, prescribed INTEGER);
@@ -58,7 +58,8 @@ def database(tmp_path):
     first, second = (ROOT / "experiments" / "scenarios" / name for name in ("hppm_case1.yaml", "gripper_slide.yaml"))
     for number, (name, scenario) in enumerate([("first", first), ("second", second)], start=1):
         connection.execute("INSERT INTO experiments VALUES (?, ?, ?, 'analytic')", (number, name, name))
-        connection.execute("INSERT INTO instances VALUES (?, ?)", (number, scenario.read_text()))
+        options = json.dumps({"group": name})
+        connection.execute("INSERT INTO instances VALUES (?, ?, ?)", (number, scenario.read_text(), options))
     connection.executemany("INSERT INTO plannerConfigs VALUES (?, ?)", enumerate(["twice", "recipe", "never"], start=1))
     runs = [
         (1, 1, 1, 1, 0.004, 9.0, 0),
@@ -88,6 +89,15 @@ def test_a_campaign_has_one_picture_per_scenario_and_one_panel_per_planner(datab
     assert "0/1 solved" in first
     assert "<!-- recipe* -->" in first
     assert first.count("no verified path") == 1
+
+
+def test_a_sweep_of_seeds_has_one_picture(database, tmp_path):
+    connection = sqlite3.connect(database)
+    connection.execute("UPDATE instances SET options = ?", (json.dumps({"group": "both"}),))
+    connection.commit()
+    connection.close()
+    draw.main(["campaign", str(database), "-o", str(tmp_path / "pictures")])
+    assert [file.name for file in (tmp_path / "pictures").iterdir()] == ["first.svg"]
 
 
 def test_the_shortest_path_is_shown(database):
