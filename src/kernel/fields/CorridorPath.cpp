@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kernel/fields/CorridorPath.h"
+
+#include <stdexcept>
+
+#include "kernel/fields/BucketQueue.h"
+
+namespace narrows
+{
+namespace
+{
+/// Dijkstra's algorithm over the cells of a grid.
+template <int D>
+class CorridorSearch
+{
+public:
+    CorridorSearch(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const CorridorOptions &options,
+                   const std::vector<float> &surcharge)
+      : grid_(grid), steps_(stepsOf(grid, options.steps)), costs_(grid.cells(), 0.0F)
+    {
+        const CorridorCost<D> cost(grid, clearance, options);
+        for (int cell = 0; cell < grid.cells(); ++cell)
+        {
+            if (grid.occupied(cell))
+                continue;
+            const double extra = surcharge.empty() ? 1.0 : static_cast<double>(surcharge[cell]);
+            costs_[cell] = static_cast<float>(std::min(extra * cost(cell), dearestCorridor));
+            dearest_ = std::max(dearest_, static_cast<double>(costs_[cell]));
+        }
+    }
+
+    /// Cells from start to goal; none if there is no way.
+    std::vector<int> run(int start, int goal)
+    {
+        constexpr double never = std::numeric_limits<double>::infinity();
+        reached_.assign(grid_.cells(), never);
+        from_.assign(grid_.cells(), -1);
+        // Costs of steps are rounded: a little less than the least possible one is safe.
+        BucketQueue queue(0.999 * grid_.spacing(),
+                          1.001 * std::sqrt(static_cast<double>(D)) * grid_.spacing() * dearest_);
+        reached_[start] = 0.0;
+        queue.push(0.0, start);
+        while (!queue.empty())
+        {
+            const auto [cost, cell] = queue.pop();
+            if (cost > reached_[cell])
+                continue;
+            // All of this bucket is final, so the goal is.
+            if (cell == goal)
+                return traceBack(goal);
+            expand(cell, cost, queue);
+        }
+        return {};
+    }
+
+    double cost(int cell) const { return reached_[cell]; }
+
+private:
+    void expand(int cell, double cost, BucketQueue &queue)
+    {
+        const auto index = grid_.index(cell);
+        const bool inner = (index.array() > 0).all() && (index.array() + 1 < grid_.counts().array()).all();
+        for (const CellStep<D> &step : steps_)
+        {
+            if (!inner && !grid_.contains(index + step.offset))
+                continue;
+            const int next = cell + step.jump;
+            if (grid_.occupied(next))
+                continue;
+            const double there = cost + 0.5 * step.length * (double{costs_[cell]} + double{costs_[next]});
+            if (!(there < reached_[next]))
+                continue;
+            if (std::any_of(step.between.begin(), step.between.end(),
+                            [&](int jump) { return grid_.occupied(cell + jump); }))
+                continue;
+            reached_[next] = there;
+            from_[next] = cell;
+            queue.push(there, next);
+        }
+    }
+
+    std::vector<int> traceBack(int cell) const
+    {
+        std::vector<int> cells;
+        for (; cell >= 0; cell = from_[cell])
+            cells.push_back(cell);
+        std::reverse(cells.begin(), cells.end());
+        return cells;
+    }
+
+    const VoxelGrid<D> &grid_;
+    std::vector<CellStep<D>> steps_;
+    std::vector<float> costs_;  ///< of a unit of length
+    double dearest_ = 1.0;
+    std::vector<double> reached_;
+    std::vector<int> from_;
+};
+
+template <int D>
+void check(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const CorridorOptions &options,
+           const std::vector<float> &surcharge)
+{
+    const auto cells = static_cast<std::size_t>(grid.cells());
+    if (clearance.size() != cells || (!surcharge.empty() && surcharge.size() != cells))
+        throw std::invalid_argument("findCorridor: a field does not belong to the grid");
+    if (!(options.preference >= 0.0) || !(options.wide > 0.0))
+        throw std::invalid_argument("findCorridor: preference must be >= 0 and wide > 0");
+}
+}  // namespace
+
+std::string toText(CorridorFailure failure)
+{
+    switch (failure)
+    {
+        case CorridorFailure::None:
+            return "none";
+        case CorridorFailure::StartOutside:
+            return "start_outside";
+        case CorridorFailure::GoalOutside:
+            return "goal_outside";
+        case CorridorFailure::StartBlocked:
+            return "start_blocked";
+        case CorridorFailure::GoalBlocked:
+            return "goal_blocked";
+        case CorridorFailure::NotConnected:
+            return "not_connected";
+    }
+    return "unknown";
+}
+
+template <int D>
+Corridor<D> findCorridor(const VoxelGrid<D> &grid, const std::vector<float> &clearance,
+                         const Eigen::Matrix<double, D, 1> &start, const Eigen::Matrix<double, D, 1> &goal,
+                         const CorridorOptions &options, const std::vector<float> &surcharge)
+{
+    check(grid, clearance, options, surcharge);
+    Corridor<D> corridor;
+    const auto failed = [&corridor](CorridorFailure failure)
+    {
+        corridor.failure = failure;
+        return corridor;
+    };
+    const int first = grid.cellAround(start), last = grid.cellAround(goal);
+    if (first < 0)
+        return failed(CorridorFailure::StartOutside);
+    if (last < 0)
+        return failed(CorridorFailure::GoalOutside);
+    if (grid.occupied(first))
+        return failed(CorridorFailure::StartBlocked);
+    if (grid.occupied(last))
+        return failed(CorridorFailure::GoalBlocked);
+
+    CorridorSearch<D> search(grid, clearance, options, surcharge);
+    corridor.cells = search.run(first, last);
+    if (corridor.cells.empty())
+        return failed(CorridorFailure::NotConnected);
+    corridor.cost = search.cost(last);
+    corridor.clearance = clearance[first];
+    for (int cell : corridor.cells)
+        corridor.clearance = std::min(corridor.clearance, static_cast<double>(clearance[cell]));
+    corridor.path.push_back(start);
+    for (std::size_t i = 1; i + 1 < corridor.cells.size(); ++i)
+        corridor.path.push_back(grid.center(corridor.cells[i]));
+    corridor.path.push_back(goal);
+    return corridor;
+}
+
+template Corridor<2> findCorridor(const VoxelGrid<2> &, const std::vector<float> &, const Eigen::Vector2d &,
+                                  const Eigen::Vector2d &, const CorridorOptions &, const std::vector<float> &);
+template Corridor<3> findCorridor(const VoxelGrid<3> &, const std::vector<float> &, const Eigen::Vector3d &,
+                                  const Eigen::Vector3d &, const CorridorOptions &, const std::vector<float> &);
+}  // namespace narrows
