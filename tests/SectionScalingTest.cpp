@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "PaperSquare.h"
+#include "Sections.h"
 #include "kernel/scaling/Cross.h"
 #include "kernel/scaling/PlainScaling.h"
 
@@ -16,11 +17,6 @@ namespace
 {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-ConvexSection disc(double y, double z, double radius)
-{
-    return ConvexSection({{y, z}}, radius);
-}
 
 ConvexSection triangle()
 {

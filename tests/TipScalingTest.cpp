@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Sections.h"
 #include "kernel/scaling/TipPath.h"
 #include "kernel/scaling/TipRoutes.h"
 
@@ -13,11 +14,6 @@ namespace
 {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-ConvexSection disc(double y, double z, double radius)
-{
-    return ConvexSection({{y, z}}, radius);
-}
 
 double lengthOf(const std::vector<Vector2d> &corners)
 {
