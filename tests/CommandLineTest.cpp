@@ -354,10 +354,18 @@ TEST_F(CommandLine, ListsAndShows)
     EXPECT_EQ(shown.code, 0);
     EXPECT_THAT(shown.out, HasSubstr("range = "));
     EXPECT_EQ(narrows("show planner nobody").code, 2);
-    // Every planner there is can be shown.
+}
+
+TEST_F(CommandLine, ShowsWhatEveryParameterOfEveryPlannerMeans)
+{
     const nlohmann::json planners = nlohmann::json::parse(narrows("list planners --json").out);
     for (const auto &planner : planners.at("planners"))
-        EXPECT_EQ(narrows("show planner --json " + planner.at("name").get<std::string>()).code, 0) << planner;
+    {
+        const Reply reply = narrows("show planner --json " + planner.at("name").get<std::string>());
+        ASSERT_EQ(reply.code, 0) << planner;
+        for (const auto &parameter : nlohmann::json::parse(reply.out).at("parameters"))
+            EXPECT_NE(parameter.at("meaning"), "") << planner.at("name") << " " << parameter.at("name");
+    }
 }
 
 TEST_F(CommandLine, EveryBadScenarioIsCode2NamingFileLineAndKey)

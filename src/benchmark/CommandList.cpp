@@ -11,6 +11,7 @@
 #include "benchmark/BuildInfo.h"
 #include "benchmark/Commands.h"
 #include "benchmark/Metrics.h"
+#include "planners/ParameterMeanings.h"
 #include "planners/PlannerFactory.h"
 #include "scenario/families/Family.h"
 
@@ -147,8 +148,10 @@ Json describePlanner(const std::string &name)
     const ob::PlannerPtr planner = makePlanner(name, problem.context);
     Json parameters = Json::array();
     for (const auto &[parameter, value] : planner->params().getParams())
-        parameters.push_back(
-            {{"name", parameter}, {"default", value->getValue()}, {"range", value->getRangeSuggestion()}});
+        parameters.push_back({{"name", parameter},
+                              {"default", value->getValue()},
+                              {"range", value->getRangeSuggestion()},
+                              {"meaning", parameterMeaning(name, parameter)}});
     return {{"name", name},
             {"summary", entry.summary},
             {"uses_model", entry.usesModel},
@@ -193,8 +196,10 @@ void printPlanner(const Json &planner)
     for (const Json &parameter : planner["parameters"])
     {
         const auto range = parameter["range"].get<std::string>();
-        std::cout << fmt::format("  {} = {}{}\n", parameter["name"].get<std::string>(),
-                                 parameter["default"].get<std::string>(), range.empty() ? "" : "   in " + range);
+        const auto meaning = parameter["meaning"].get<std::string>();
+        std::cout << fmt::format("  {} = {}{}{}\n", parameter["name"].get<std::string>(),
+                                 parameter["default"].get<std::string>(), range.empty() ? "" : "   in " + range,
+                                 meaning.empty() ? "" : ": " + meaning);
     }
 }
 }  // namespace
