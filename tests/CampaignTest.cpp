@@ -2,81 +2,21 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <random>
-#include <set>
-#include <sstream>
 #include <thread>
 
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "benchmark/Campaign.h"
-#include "benchmark/Metrics.h"
-#include "benchmark/ResultStore.h"
+#include "CampaignFolder.h"
 
 namespace narrows
 {
 namespace
 {
-class Campaign : public testing::Test
-{
-protected:
-    Campaign()
-    {
-        std::filesystem::create_directories(folder_);
-        const std::string file = folder_ + "/test.cfg";
-        std::ofstream(file) << "[problem]\nname = test\nscenario = " << NARROWS_SOURCE_DIR
-                            << "/experiments/scenarios/gap_small.yaml, " << NARROWS_SOURCE_DIR
-                            << "/experiments/scenarios/hppm_case1.yaml\n"
-                               "[benchmark]\nrun_count = 5\nwarm_up = 0\nsimplify = 1\nsave_paths = shortest\n"
-                               "time_limit = 20\njobs = 2\n"
-                               "[planner]\nrrtconnect =\nbiest =\nkpiece1 =\nrrtconnect =\nrrtconnect.range = 0.5\n";
-        experiment_ = readExperiment(file);
-    }
-    ~Campaign() override { std::filesystem::remove_all(folder_); }
-
-    CampaignResult run(const std::string &database, bool resume = false, std::function<bool()> stop = {}) const
-    {
-        CampaignOptions options;
-        options.database = folder_ + "/" + database;
-        options.resume = resume;
-        options.stop = std::move(stop);
-        return runCampaign(experiment_, options);
-    }
-
-    /// Every run's repeatable columns and stored path as one text each, in the order of the plan, not of the rows.
-    std::vector<std::string> rows(const std::string &name) const
-    {
-        const std::set<std::string> measured{"time", "cpu_time", "simplification_time", "memory", "peak_memory_kb"};
-        std::string columns;
-        for (const Metric &metric : metrics())
-            if (measured.count(metric.name) == 0)
-                columns += ", runs." + metric.name;
-        SQLite::Database database(folder_ + "/" + name);
-        SQLite::Statement query(database, "SELECT experiments.name, plannerConfigs.name, settings" + columns +
-                                              ", angles FROM runs JOIN experiments ON experiments.id = experimentid "
-                                              "JOIN plannerConfigs ON plannerConfigs.id = plannerid "
-                                              "LEFT JOIN paths ON runid = runs.id ORDER BY 1, 2, 3, run");
-        std::vector<std::string> texts;
-        while (query.executeStep())
-        {
-            std::ostringstream text;
-            for (int i = 0; i < query.getColumnCount(); ++i)
-                text << (query.getColumn(i).isNull() ? "NULL" : query.getColumn(i).getString()) << " | ";
-            texts.push_back(text.str());
-        }
-        return texts;
-    }
-
-    std::string folder_ = testing::TempDir() + "campaign" + std::to_string(getpid());
-    Experiment experiment_;
-};
-
-TEST_F(Campaign, DoesEveryPlannedRunOnce)
+TEST_F(CampaignFolder, DoesEveryPlannedRunOnce)
 {
     const CampaignResult result = run("a.db");
     EXPECT_EQ(result.planned, 40u);
@@ -92,14 +32,14 @@ TEST_F(Campaign, DoesEveryPlannedRunOnce)
     EXPECT_EQ(paths, 8);
 }
 
-TEST_F(Campaign, SameSeedSameRows)
+TEST_F(CampaignFolder, SameSeedSameRows)
 {
     run("a.db");
     run("b.db");
     EXPECT_EQ(rows("a.db"), rows("b.db"));
 }
 
-TEST_F(Campaign, ExistingDatabaseNeedsResume)
+TEST_F(CampaignFolder, ExistingDatabaseNeedsResume)
 {
     run("a.db");
     const std::vector<std::string> before = rows("a.db");
@@ -109,7 +49,7 @@ TEST_F(Campaign, ExistingDatabaseNeedsResume)
     EXPECT_EQ(rows("a.db"), before);
 }
 
-TEST_F(Campaign, StopsWhenAskedAndGoesOn)
+TEST_F(CampaignFolder, StopsWhenAskedAndGoesOn)
 {
     run("whole.db");
     int polls = 0;
@@ -121,7 +61,7 @@ TEST_F(Campaign, StopsWhenAskedAndGoesOn)
     EXPECT_EQ(rows("a.db"), rows("whole.db"));
 }
 
-TEST_F(Campaign, KilledAtAnyMomentItEndsAsIfNothingHadHappened)
+TEST_F(CampaignFolder, KilledAtAnyMomentItEndsAsIfNothingHadHappened)
 {
     const auto begin = std::chrono::steady_clock::now();
     run("whole.db");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -123,6 +124,33 @@ TEST_F(CommandLine, PlanDrawsTheSliceOfACurve)
     EXPECT_THAT(readFile(drawing), HasSubstr("<svg"));
 }
 
+TEST_F(CommandLine, SliceDataPoseTheArmAlongTheCurve)
+{
+    const std::string data = folder_ + "/slice.json";
+    const Reply reply = narrows("plan " + scenarios + "hppm_case1.yaml --planner hppm --json - --slice " + data);
+    ASSERT_EQ(reply.code, 0) << reply.err;
+    using Rows = std::vector<std::vector<double>>;
+    const Rows path = nlohmann::json::parse(reply.out).at("path").at("angles").get<Rows>();
+    const nlohmann::json slice = nlohmann::json::parse(readFile(data));
+    const Rows curve = slice.at("curve").get<Rows>();
+    const Rows middle = slice.at("middle").get<Rows>();
+    const auto direction = slice.at("direction").get<std::vector<double>>();
+    const auto lambda = slice.at("lambda").get<std::vector<double>>();
+    ASSERT_EQ(curve.size(), path.size());
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+        // Between the configurations at s = 0, lambda goes evenly.
+        const double place =
+            (curve[i][0] - lambda[0]) / (lambda[1] - lambda[0]) * static_cast<double>(middle.size() - 1);
+        const auto before = static_cast<std::size_t>(place);
+        const double share = place - static_cast<double>(before);
+        for (std::size_t joint = 0; joint < direction.size(); ++joint)
+            EXPECT_NEAR((1.0 - share) * middle[before][joint] + share * middle[before + 1][joint] +
+                            curve[i][1] * direction[joint],
+                        path[i][joint], 1e-12);
+    }
+}
+
 TEST_F(CommandLine, PlanSaysIfThereIsNoSliceToDraw)
 {
     const std::string drawing = folder_ + "/slice.svg";
@@ -138,6 +166,79 @@ TEST_F(CommandLine, PlanThatDoesNotSolveIsCode1)
     const Reply reply = narrows("plan " + scenarios + "hppm_case3.yaml --planner rrt --time 0.05 --json -");
     EXPECT_EQ(reply.code, 1);
     EXPECT_NE(nlohmann::json::parse(reply.out).at("outcome"), "solved");
+}
+
+TEST_F(CommandLine, PlanWritesTheMotionThatFollowsThePath)
+{
+    const std::string csv = folder_ + "/motion.csv";
+    const Reply reply = narrows("plan " + small + " --planner rrtconnect --limits 1.5,4,20 --rate 500 --json - " +
+                                "--trajectory " + csv);
+    ASSERT_EQ(reply.code, 0) << reply.err;
+    const nlohmann::json json = nlohmann::json::parse(reply.out);
+    const nlohmann::json waypoints = json.at("path").at("angles");
+    EXPECT_LE(json.at("duration"), json.at("stop_duration"));
+    std::istringstream lines(readFile(csv));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line.rfind("time,position_1,velocity_1,acceleration_1,jerk_1,position_2,", 0), 0u);
+    std::vector<std::vector<double>> rows;
+    while (std::getline(lines, line))
+    {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(std::stod(cell));
+    }
+    ASSERT_EQ(rows.size(), 1 + std::ceil(500.0 * json.at("duration").get<double>()));
+    EXPECT_EQ(rows.back()[0], json.at("duration"));
+    double fastest = 0.0;
+    for (const std::vector<double> &row : rows)
+    {
+        ASSERT_EQ(row.size(), 1 + 4 * waypoints[0].size());
+        for (std::size_t joint = 0; joint < waypoints[0].size(); ++joint)
+        {
+            fastest = std::max(fastest, std::abs(row[2 + 4 * joint]));
+            EXPECT_LE(std::abs(row[2 + 4 * joint]), 1.5 + 1e-8);
+            EXPECT_LE(std::abs(row[3 + 4 * joint]), 4.0 + 1e-8);
+            EXPECT_LE(std::abs(row[4 + 4 * joint]), 20.0 + 1e-7);
+        }
+    }
+    EXPECT_GT(fastest, 0.9 * json.at("peak_velocity").get<double>());
+    for (std::size_t joint = 0; joint < waypoints[0].size(); ++joint)
+    {
+        EXPECT_NEAR(rows.front()[1 + 4 * joint], waypoints.front()[joint], 1e-12);
+        EXPECT_NEAR(rows.back()[1 + 4 * joint], waypoints.back()[joint], 1e-12);
+    }
+    const Reply words = narrows("plan " + small + " --planner rrtconnect --limits 1.5,4,20");
+    EXPECT_EQ(words.code, 0);
+    EXPECT_THAT(words.out, HasSubstr("duration"));
+    EXPECT_THAT(words.out, HasSubstr("peak velocity"));
+}
+
+TEST_F(CommandLine, PlanWithoutAPathWritesNoMotion)
+{
+    const std::string csv = folder_ + "/motion.csv";
+    const Reply reply = narrows("plan " + scenarios + "hppm_case3.yaml --planner rrt --time 0.05 --limits 1,1,1 " +
+                                "--trajectory " + csv);
+    EXPECT_EQ(reply.code, 1);
+    EXPECT_THAT(reply.err, HasSubstr("was not written: there is no path"));
+    EXPECT_FALSE(std::filesystem::exists(csv));
+}
+
+TEST_F(CommandLine, PlanRefusesWhatAreNoLimits)
+{
+    const std::string plan = "plan " + small + " --planner rrtconnect --trajectory " + folder_ + "/motion.csv";
+    for (const char *limits : {"0,1,1", "1,-1,1", "1,1,inf", "1,nan,1", "1,1", "1,1,1,1", "fast", "1,,1"})
+    {
+        const Reply reply = narrows(plan + " --limits " + limits);
+        EXPECT_EQ(reply.code, 2) << limits;
+        EXPECT_THAT(reply.err, HasSubstr("limits are three positive numbers")) << limits;
+    }
+    EXPECT_THAT(narrows(plan).err, HasSubstr("--trajectory needs --limits"));
+    EXPECT_EQ(narrows(plan).code, 2);
+    for (const char *rate : {"0", "-5", "often", "1e300"})
+        EXPECT_EQ(narrows(plan + " --limits 1,1,1 --rate " + rate).code, 2) << rate;
+    EXPECT_FALSE(std::filesystem::exists(folder_ + "/motion.csv"));
 }
 
 TEST_F(CommandLine, PlanRefusesWrongNamesAndValues)
@@ -333,7 +434,7 @@ TEST_F(CommandLine, RecheckFindsAPathThatCollides)
 TEST_F(CommandLine, ForeignDatabasesAreCode2)
 {
     const std::string text = file("text.db", "not a database");
-    for (const char *command : {"summary ", "recheck "})
+    for (const std::string command : {"summary ", "recheck ", "report -o /proc/none "})
     {
         EXPECT_EQ(narrows(command + text).code, 2);
         EXPECT_EQ(narrows(command + folder_ + "/none.db").code, 2);

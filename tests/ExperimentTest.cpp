@@ -84,6 +84,7 @@ seed = 7
 output = results
 save_paths = all
 simplify = 1
+limits = 1.5, 4, 20
 checker = analytic, fcl
 motion = continuous, 0.01
 space = relative
@@ -107,6 +108,10 @@ biest =
     EXPECT_EQ(experiment.seed, 7u);
     EXPECT_EQ(experiment.savePaths, SavePaths::All);
     EXPECT_TRUE(experiment.simplify);
+    EXPECT_EQ(experiment.limits.value().velocity, 1.5);
+    EXPECT_EQ(experiment.limits->acceleration, 4.0);
+    EXPECT_EQ(experiment.limits->jerk, 20.0);
+    EXPECT_EQ(expand(experiment).front().limits->jerk, 20.0);
     EXPECT_EQ(experiment.warmUp, 0.0);
     EXPECT_EQ(experiment.jobs, 2);
     EXPECT_EQ(
@@ -120,6 +125,19 @@ biest =
     EXPECT_EQ(experiment.planners[1].space, "absolute_line");
     EXPECT_FALSE(experiment.planners[1].recipe);
     EXPECT_EQ(experiment.planners[2].label, "biest");
+}
+
+TEST_F(ExperimentFile, LimitsAreThreePositiveNumbersOrNone)
+{
+    const std::string planner = "[planner]\nrrtconnect =\n";
+    EXPECT_FALSE(read(head_ + planner).limits);
+    for (const char *limits : {"", "1, 1", "1, 1, 0", "1, -1, 1", "1, 1, inf", "1, 1, 1, 1", "fast"})
+    {
+        std::ofstream(path_) << head_ + "[benchmark]\nlimits = " + limits + "\n" + planner;
+        const std::vector<std::string> faults = faultsOf(path_);
+        ASSERT_EQ(faults.size(), 1u) << limits;
+        EXPECT_THAT(faults[0], testing::StartsWith("5: benchmark.limits: limits are three positive numbers")) << limits;
+    }
 }
 
 TEST_F(ExperimentFile, ExpandsToEveryRunOnceInBlocks)
@@ -272,7 +290,7 @@ TEST_F(ExperimentFile, BadSweepsAreRefusedWithTheirLines)
     };
     EXPECT_THAT(slabFaults("generate.gaps = 2"),
                 ElementsAre("5: sweep.generate.gaps: there is no parameter of the family slab 'gaps'; there are links, "
-                            "half_width, depth, symmetric, seed"));
+                            "half_width, depth, symmetric, shape, seed"));
     EXPECT_THAT(slabFaults("generate.links = 3, 4.5"),
                 ElementsAre("5: sweep.generate.links: must be a whole number from 3 to 100, not '4.5'"));
     EXPECT_THAT(slabFaults("generate.seed = 1..3, 2"), ElementsAre("5: sweep.generate.seed: names '2' twice"));

@@ -22,12 +22,17 @@ Scene drawAny(const std::string &family, const Texts &given)
     return findFamily(family).draw(findFamily(family).values(given));
 }
 
-CircleScene draw(const std::string &family, const Texts &given)
+ArmScene draw(const std::string &family, const Texts &given)
 {
-    return std::get<CircleScene>(drawAny(family, given));
+    return std::get<ArmScene>(drawAny(family, given));
 }
 
-Verdict judge(const CircleScene &scene, const std::vector<Eigen::VectorXd> &path)
+const Circle &circleOf(const PlanarObstacle &obstacle)
+{
+    return std::get<Circle>(obstacle.shape);
+}
+
+Verdict judge(const ArmScene &scene, const std::vector<Eigen::VectorXd> &path)
 {
     const JointLimits none{AngleConvention::Absolute, std::vector<std::optional<Interval>>(scene.lengths.size())};
     return verify(modelOf(scene), {scene.start, scene.goal, none}, path);
@@ -105,18 +110,18 @@ TEST(Families, FilesAreReadBackBitByBit)
 {
     for (const char *name : {"circles", "corridor", "slab", "tube"})
     {
-        const CircleScene scene = draw(name, {});
+        const ArmScene scene = draw(name, {});
         const Scenario scenario = parseScenario(toYaml(scene, name, "a: b"), name);
         const PlanarModel &model = *scenario.planar().model;
         EXPECT_EQ(scenario.source, "a: b");
         EXPECT_EQ(scenario.planar().task.start, scene.start);
         EXPECT_EQ(std::get<Eigen::VectorXd>(scenario.planar().task.goal), scene.goal);
-        ASSERT_EQ(model.obstacles.size(), scene.circles.size());
-        for (std::size_t i = 0; i < scene.circles.size(); ++i)
+        ASSERT_EQ(model.obstacles.size(), scene.obstacles.size());
+        for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
         {
-            const auto &circle = std::get<Circle>(model.obstacles[i].shape);
-            EXPECT_EQ(circle.center, scene.circles[i].center);
-            EXPECT_EQ(circle.radius, scene.circles[i].radius);
+            const Circle &read = circleOf(model.obstacles[i]);
+            EXPECT_EQ(read.center, circleOf(scene.obstacles[i]).center);
+            EXPECT_EQ(read.radius, circleOf(scene.obstacles[i]).radius);
         }
         ASSERT_EQ(model.arm.links().size(), scene.lengths.size());
         for (std::size_t i = 0; i < scene.lengths.size(); ++i)
@@ -142,7 +147,7 @@ TEST(Corridor, HasTheClearanceAskedFor)
 {
     for (const char *text : {"0.0564", "4e-4", "1e-7"})
     {
-        const CircleScene scene = draw("corridor", {{"clearance", text}});
+        const ArmScene scene = draw("corridor", {{"clearance", text}});
         EXPECT_NEAR(clearance(scene, scene.goal), std::stod(text), 2e-15);
         EXPECT_GT(clearance(scene, scene.start), 0.9);
         EXPECT_EQ(judgeMotion(scene, scene.start, scene.goal), Motion::Blocked);
@@ -151,15 +156,15 @@ TEST(Corridor, HasTheClearanceAskedFor)
 
 TEST(Corridor, IsThePapersFirstCaseUnlessTold)
 {
-    const CircleScene scene = draw("corridor", {});
+    const ArmScene scene = draw("corridor", {});
     const Scenario paper = readScenario(NARROWS_SOURCE_DIR "/experiments/scenarios/hppm_case1.yaml");
     const PlanarModel &model = *paper.planar().model;
     EXPECT_TRUE(scene.start.isApprox(paper.planar().task.start, 1e-15));
     EXPECT_TRUE(scene.goal.isApprox(std::get<Eigen::VectorXd>(paper.planar().task.goal), 1e-15));
     for (std::size_t i = 0; i < 2; ++i)
     {
-        EXPECT_EQ(scene.circles[i].center, std::get<Circle>(model.obstacles[i].shape).center);
-        EXPECT_EQ(scene.circles[i].radius, 0.58);
+        EXPECT_EQ(circleOf(scene.obstacles[i]).center, circleOf(model.obstacles[i]).center);
+        EXPECT_EQ(circleOf(scene.obstacles[i]).radius, 0.58);
     }
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(scene.lengths[i], model.arm.links()[i].length);
@@ -171,13 +176,14 @@ TEST(Circles, KeepTheirPromises)
         for (int seed = 1; seed <= 60; ++seed)
         {
             SCOPED_TRACE(testing::Message() << links << " links, seed " << seed);
-            const CircleScene scene = draw("circles", {{"links", links}, {"seed", std::to_string(seed)}});
+            const ArmScene scene = draw("circles", {{"links", links}, {"seed", std::to_string(seed)}});
             EXPECT_EQ(scene.lengths.size(), std::stoul(links));
             EXPECT_NEAR(std::accumulate(scene.lengths.begin(), scene.lengths.end(), 0.0), 3.0, 1e-9);
-            EXPECT_GE(scene.circles.size(), 2u);
-            EXPECT_LE(scene.circles.size(), 6u);
-            for (const Circle &circle : scene.circles)
+            EXPECT_GE(scene.obstacles.size(), 2u);
+            EXPECT_LE(scene.obstacles.size(), 6u);
+            for (const PlanarObstacle &obstacle : scene.obstacles)
             {
+                const Circle &circle = circleOf(obstacle);
                 EXPECT_LE(circle.center.norm(), 3.0 + 1e-6);
                 EXPECT_GE(circle.radius, 0.15);
                 EXPECT_LE(circle.radius, 0.45);
@@ -194,7 +200,7 @@ TEST(Circles, NeedNotBlockTheStraightLine)
     int free = 0;
     for (int seed = 1; seed <= 100; ++seed)
     {
-        const CircleScene scene = draw("circles", {{"blocked", "false"}, {"seed", std::to_string(seed)}});
+        const ArmScene scene = draw("circles", {{"blocked", "false"}, {"seed", std::to_string(seed)}});
         free += judge(scene, {scene.start, scene.goal}).accepted ? 1 : 0;
     }
     // 72 % of 500 scenes of this kind in the prototype (95 % interval of 100 draws: 63 to 81).
@@ -220,7 +226,7 @@ TEST_P(Threading, HasItsGapItsBlockedLineAndAWitness)
     for (int seed = 1; seed <= 12; ++seed)
     {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        const CircleScene scene =
+        const ArmScene scene =
             draw(passage.family,
                  {{"links", passage.links}, {"half_width", passage.halfWidth}, {"seed", std::to_string(seed)}});
         ASSERT_EQ(scene.lengths.size(), std::stoul(passage.links));
@@ -247,10 +253,10 @@ TEST(Threading, TheWayThroughIsStraightInJointSpaceOnlyIfSymmetric)
         for (int seed = 1; seed <= 12; ++seed)
         {
             Texts given{{"links", links}, {"half_width", "1e-7"}, {"seed", std::to_string(seed)}};
-            const CircleScene generic = draw("slab", given);
+            const ArmScene generic = draw("slab", given);
             EXPECT_EQ(judgeMotion(generic, generic.witness[1], generic.goal), Motion::Blocked);
             given["symmetric"] = "true";
-            const CircleScene symmetric = draw("slab", given);
+            const ArmScene symmetric = draw("slab", given);
             EXPECT_EQ(judgeMotion(symmetric, symmetric.witness[1], symmetric.goal), Motion::Free);
             EXPECT_TRUE(judge(symmetric, symmetric.witness).accepted);
         }
@@ -260,13 +266,14 @@ TEST(Threading, DepthIsHowFarTheRodIsThroughTheGap)
 {
     for (const char *depth : {"0.1", "0.8"})
     {
-        const CircleScene scene = draw("slab", {{"depth", depth}});
+        const ArmScene scene = draw("slab", {{"depth", depth}});
         const PlanarModel model = modelOf(scene);
         std::vector<Eigen::Vector2d> points;
         model.arm.place(scene.goal, points);
-        const Eigen::Vector2d across = scene.circles[0].center - scene.circles[1].center;
-        const double share = scene.circles[0].radius / (scene.circles[0].radius + scene.circles[1].radius);
-        const Eigen::Vector2d throat = scene.circles[0].center - share * across;
+        const Circle &left = circleOf(scene.obstacles[0]);
+        const Circle &right = circleOf(scene.obstacles[1]);
+        const Eigen::Vector2d across = left.center - right.center;
+        const Eigen::Vector2d throat = left.center - left.radius / (left.radius + right.radius) * across;
         EXPECT_NEAR((points[3] - throat).norm(), std::stod(depth) * scene.lengths[2], 0.01);  // half_width is 0.01
     }
 }
@@ -276,13 +283,13 @@ TEST(Tube, EveryGapIsThreaded)
 {
     for (const int gaps : {2, 3})
     {
-        const CircleScene scene =
+        const ArmScene scene =
             draw("tube", {{"links", std::to_string(2 + gaps)}, {"gaps", std::to_string(gaps)}, {"half_width", "0.02"}});
-        ASSERT_EQ(scene.circles.size(), 2u * gaps);
-        for (const Circle &circle : scene.circles)
+        ASSERT_EQ(scene.obstacles.size(), 2u * gaps);
+        for (const PlanarObstacle &obstacle : scene.obstacles)
         {
-            CircleScene alone = scene;
-            alone.circles = {circle};
+            ArmScene alone = scene;
+            alone.obstacles = {obstacle};
             EXPECT_NEAR(clearance(alone, scene.goal), 0.02, 1e-11);
         }
     }

@@ -94,7 +94,7 @@ TEST(GeneratedScenario, SettingsThatDoNotFitAreRefused)
     const std::string slab = head + "generate: {family: slab}\n";
     EXPECT_EQ(whyNot(slab, {{"gaps", "2"}}),
               "file:3: generate: gaps = 2: there is no parameter of the family slab 'gaps'; there are links, "
-              "half_width, depth, symmetric, seed");
+              "half_width, depth, symmetric, shape, seed");
     EXPECT_EQ(whyNot(slab, {{"seed", "x"}}),
               "file:3: generate: seed = x: must be a whole number from 0 to 1000000000, not 'x'");
     const std::string plain = head +

@@ -39,10 +39,16 @@ Record fullRecord()
     record.maxJointStep = 1.0 / 3.0;
     record.simplifiedLength = 2.0;
     record.simplifiedVerified = false;
+    record.duration = 1.0 / 7.0;
+    record.stopDuration = 0.2;
+    record.peakVelocity = 1.5;
+    record.peakAcceleration = 4.0;
+    record.peakJerk = infinity;
     record.verified = false;
     record.measures = {{"hyperspheres", 146.0}, {"pole", infinity}};
     record.parameters = {{"range", "0.5"}, {"text", "a \"b\"\n"}};
     record.path = {Eigen::Vector2d(0.1, -0.0), Eigen::Vector2d(std::nan(""), -infinity)};
+    record.vias = {Eigen::Vector2d(0.1, 0.2)};
     record.output = "two\nlines";
     return record;
 }

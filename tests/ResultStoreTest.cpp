@@ -138,11 +138,14 @@ TEST_F(ResultStoreFile, KeepsWhatWasNotMeasuredApartFromZero)
         ResultStore store = create();
         Record record = solved(0.0);
         record.stateChecks = 0;
+        record.stopDuration = 7.5;
         record.measures = {{"spheres", 146.0}};
         store.add(specs_[0], record, SavePaths::None);
     }
     EXPECT_EQ(scalar("SELECT state_checks FROM runs"), "0");
     EXPECT_EQ(scalar("SELECT motion_checks FROM runs"), "NULL");
+    EXPECT_EQ(scalar("SELECT stop_duration FROM runs"), "7.5");
+    EXPECT_EQ(scalar("SELECT duration FROM runs"), "NULL");
     EXPECT_EQ(scalar("SELECT solution_clearance FROM runs"), "NULL");  // infinite
     EXPECT_EQ(scalar("SELECT solved FROM runs"), "1");
     EXPECT_EQ(scalar("SELECT seed FROM runs"), std::to_string(specs_[0].seed));

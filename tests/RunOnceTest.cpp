@@ -35,6 +35,24 @@ TEST(RunOnce, SolvesVerifiesAndMeasures)
     EXPECT_TRUE(record.parameters.count("range"));
 }
 
+TEST(RunOnce, UnderLimitsASolutionHasADuration)
+{
+    RunSpec spec = smallRun("rrtconnect", 3);
+    EXPECT_FALSE(runOnce(spec).duration);
+    spec.limits = MotionLimits{1.5, 4.0, 20.0};
+    const Record record = runOnce(spec);
+    ASSERT_EQ(record.outcome, Outcome::Solved) << record.reason;
+    EXPECT_LE(record.duration.value(), record.stopDuration.value());
+    EXPECT_LE(record.peakVelocity.value(), 1.5 * (1.0 + 1e-8));
+    EXPECT_LE(record.peakAcceleration.value(), 4.0 * (1.0 + 1e-8));
+    EXPECT_LE(record.peakJerk.value(), 20.0 * (1.0 + 1e-8));
+    // No joint can turn faster than its limit lets it.
+    EXPECT_GE(*record.duration, (record.path.back() - record.path.front()).cwiseAbs().maxCoeff() / 1.5);
+    // Twice the velocity, four times the acceleration, eight times the jerk: half the time.
+    spec.limits = MotionLimits{3.0, 16.0, 160.0};
+    EXPECT_NEAR(runOnce(spec).stopDuration.value(), 0.5 * *record.stopDuration, 1e-12);
+}
+
 TEST(RunOnce, StagesComeInOrder)
 {
     RunSpec spec = smallRun("rrtconnect");

@@ -3,6 +3,7 @@
 
 #include "ViaPointPaper.h"
 #include "kernel/trajectory/MotionPeaks.h"
+#include "kernel/trajectory/RiseSum.h"
 
 namespace narrows
 {
@@ -67,35 +68,9 @@ TEST(TrajectoryPeaks, OfThePapersSixthOrderPolynomial)
     EXPECT_NEAR(printed.over(0, 3.0)[0].lower, 119.37, 0.005);
 }
 
-/// start + sum of c_i g_i(t / duration), g_i = Rise::resting of twelve shapes e^-1.5 to e^3.3.
-class RiseSum : public PiecewiseMotion
-{
-public:
-    RiseSum(const ViaPointTask &task, std::vector<double> parts) : task_(task), parts_(std::move(parts)) {}
-
-    std::vector<double> knots() const override { return {0.0, task_.duration}; }
-
-    Series<4, Enclosure> over(std::size_t, const Enclosure &t) const override
-    {
-        Series<4, Enclosure> sum{};
-        sum[0] = task_.start;
-        const double rate = 1.0 / task_.duration;
-        for (std::size_t i = 0; i < parts_.size(); ++i)
-        {
-            const Rise rise = *Rise::resting(std::exp(-1.5 + 4.8 * static_cast<double>(i) / 11.0));
-            addRise<4, Enclosure>(sum, rise, t * rate, parts_[i], rate);
-        }
-        return sum;
-    }
-
-private:
-    ViaPointTask task_;
-    std::vector<double> parts_;
-};
-
 TEST(TrajectoryPeaks, SumsOfTwelveRisesNeedFarLessJerkThanTwo)
 {
-    // By a linear program over samples; what they promise is certified here.
+    // By a linear program over samples (analysis/rise_sums.py); what they promise is certified here.
     const struct
     {
         ViaPointTask task;
@@ -117,7 +92,7 @@ TEST(TrajectoryPeaks, SumsOfTwelveRisesNeedFarLessJerkThanTwo)
     };
     for (const auto &[task, jerk, parts] : sums)
     {
-        const RiseSum motion(task, parts);
+        const RiseSum motion(task.start, task.duration, restingRises(12), parts);
         EXPECT_NEAR(motion.over(0, task.viaTime)[0].lower, task.via, 1e-6);
         EXPECT_NEAR(motion.over(0, task.duration)[0].lower, task.goal, 1e-6);
         EXPECT_NEAR(motion.over(0, task.duration)[1].lower, 0.0, 1e-6);
@@ -126,6 +101,18 @@ TEST(TrajectoryPeaks, SumsOfTwelveRisesNeedFarLessJerkThanTwo)
         EXPECT_LE(peaks[3].magnitude(), jerk);
         EXPECT_LE(ViaPointTrajectory::overshoot(task, peaks), 0.41);
     }
+}
+
+TEST(TrajectoryPeaks, ASumOfOneRiseIsThatRise)
+{
+    const RiseSum sum(1.0, 2.0, {Rise::quintic()}, {3.0});
+    const MotionPeaks peaks = motionPeaks(sum);
+    EXPECT_NEAR(peaks[0].highest, 4.0, 1e-12);
+    EXPECT_NEAR(peaks[1].highest, 3.0 * 1.875 / 2.0, 1e-8);
+    EXPECT_NEAR(peaks[3].highest, 3.0 * 60.0 / 8.0, 1e-8);
+    EXPECT_THROW(RiseSum(0.0, 0.0, {}, {}), std::invalid_argument);
+    EXPECT_THROW(RiseSum(0.0, 1.0, {Rise::quintic()}, {}), std::invalid_argument);
+    EXPECT_THROW(RiseSum(0.0, 1.0, {Rise::quintic()}, {double(NAN)}), std::invalid_argument);
 }
 
 TEST(TrajectoryPeaks, NothingThatDenseSamplesFindLiesFurtherOut)

@@ -74,7 +74,7 @@ TEST(ViaPointSpline, VelocityAndAccelerationAreContinuousEverywhere)
     {
         const ViaPointSpline spline = *ViaPointSpline::through(points, times, 0.6, rise);
         ViaPointSpline::State<3> left, right;
-        for (const double knot : spline.joint(0).knots())
+        for (const double knot : spline.joint(0)->knots())
         {
             if (knot == 0.0 || knot == spline.duration())
                 continue;
@@ -107,7 +107,7 @@ TEST(ViaPointSpline, PeaksHoldForEverySample)
         const ViaPointSpline spline = *ViaPointSpline::through(randomPoints(2, 6), ramp(6), 0.4, rise);
         for (Eigen::Index joint = 0; joint < 2; ++joint)
         {
-            const MotionPeaks peaks = motionPeaks(spline.joint(joint));
+            const MotionPeaks peaks = motionPeaks(*spline.joint(joint));
             Series<3> largest{};
             ViaPointSpline::State<3> state;
             for (int i = 0; i <= 20000; ++i)
@@ -133,7 +133,7 @@ TEST(ViaPointSpline, ScaledToItsLimitsItKeepsThemAndNeedsThem)
     ASSERT_TRUE(scaled);
     double used = 0.0;
     for (Eigen::Index joint = 0; joint < 3; ++joint)
-        used = std::max(used, stretchFor(motionPeaks(scaled->joint(joint)), limits[0]));
+        used = std::max(used, stretchFor(motionPeaks(*scaled->joint(joint)), limits[0]));
     EXPECT_LE(used, 1.0);
     EXPECT_GT(used, 1.0 - 1e-8);
     EXPECT_TRUE(scaled->levels() == spline.levels());

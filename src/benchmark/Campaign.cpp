@@ -22,7 +22,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin)
 
 CampaignResult runCampaign(const Experiment &experiment, const CampaignOptions &options)
 {
-    const std::vector<RunSpec> all = expand(experiment);
+    const std::vector<RunSpec> all = runsOf(options.shard, expand(experiment));
     // A campaign that was killed before it had a database is finished by doing all of it.
     const bool begun = options.resume && std::filesystem::exists(options.database);
     ResultStore store = begun ? ResultStore::resume(options.database, experiment, options.engine)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // narrows bench, narrows summary: campaigns and their tables.
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -26,8 +27,18 @@ extern "C" void onSignal(int)
 struct BenchOptions
 {
     std::string experiment;
+    std::string shard = "1/1";
     CampaignOptions campaign;
 };
+
+/// The experiment's database, or a name of its own for one shard of several.
+std::string defaultDatabase(const Experiment &experiment, const Shard &shard)
+{
+    std::filesystem::path path = experiment.databasePath();
+    if (shard.count > 1)
+        path.replace_extension(fmt::format("{}-of-{}.db", shard.index, shard.count));
+    return path.string();
+}
 
 std::string summarized(const std::string &database, bool markdown)
 {
@@ -39,8 +50,9 @@ int bench(BenchOptions options)
 {
     const Experiment experiment = readExperiment(options.experiment);
     CampaignOptions &campaign = options.campaign;
+    campaign.shard = shardFromText(options.shard);
     if (campaign.database.empty())
-        campaign.database = experiment.databasePath();
+        campaign.database = defaultDatabase(experiment, campaign.shard);
     campaign.progress = &std::cerr;
     campaign.terminal = isatty(STDERR_FILENO) != 0;
     campaign.stop = []
@@ -69,6 +81,10 @@ void addBenchCommand(CLI::App &program, int &exitCode)
     command->add_option("--db", options->campaign.database, "database to write; default: as the experiment says");
     command->add_option("--jobs", options->campaign.jobs, "runs at a time; default: as the experiment says")
         ->check(CLI::Range(1, 1024));
+    command
+        ->add_option("--shard", options->shard,
+                     "i/n: only the i-th of n parts of the runs; `narrows merge` joins the databases")
+        ->capture_default_str();
     command->add_flag("--resume", options->campaign.resume,
                       "do what an existing database lacks; begin one if there is none");
     command->add_option("--engine", options->campaign.engine, "a process per run, or ompl::tools::Benchmark in process")

@@ -27,15 +27,20 @@ struct GenerateOptions
 /// A free path from start to goal; empty if none is known.
 std::vector<Eigen::VectorXd> witnessOf(const Scene &scene)
 {
-    const auto *circles = std::get_if<CircleScene>(&scene);
-    return circles != nullptr ? circles->witness : std::vector<Eigen::VectorXd>{};
+    if (const auto *plane = std::get_if<ArmScene>(&scene))
+        return plane->witness;
+    const auto *space = std::get_if<SpaceScene>(&scene);
+    return space != nullptr ? space->witness : std::vector<Eigen::VectorXd>{};
 }
 
-std::string witnessJson(const std::vector<Eigen::VectorXd> &witness)
+std::string witnessJson(const World &world, const std::vector<Eigen::VectorXd> &witness)
 {
     nlohmann::json rows = nlohmann::json::array();
-    for (const Eigen::VectorXd &q : witness)
+    for (const Eigen::VectorXd &configuration : witness)
+    {
+        const Eigen::VectorXd q = toFile(world, configuration);
         rows.push_back(std::vector<double>(q.begin(), q.end()));
+    }
     return nlohmann::json{{"angles", rows}}.dump() + "\n";
 }
 
@@ -48,7 +53,7 @@ int generate(const GenerateOptions &options)
     const std::vector<Eigen::VectorXd> witness = witnessOf(scene);
     const std::string name = options.name.empty() ? nameWith(family.name, settings) : options.name;
     const std::string text = toYaml(scene, name, family.describe(values));
-    parseScenario(text, "--name");  // which is all that can be wrong with it
+    const Scenario scenario = parseScenario(text, "--name");  // which is all that can be wrong with it
     if (!options.witness.empty() && witness.empty())
         throw std::invalid_argument("--witness: no witness is known for the family " + family.name);
 
@@ -57,7 +62,7 @@ int generate(const GenerateOptions &options)
     else
         writeFile(options.output, text);
     if (!options.witness.empty())
-        writeFile(options.witness, witnessJson(witness));
+        writeFile(options.witness, witnessJson(scenario.world, witness));
     return ExitDone;
 }
 }  // namespace

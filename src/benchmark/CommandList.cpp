@@ -167,9 +167,7 @@ Json describeFamily(const std::string &name)
         parameters.push_back(
             {{"name", parameter.name},
              {"default", parameter.standard ? Json(parameter.write(*parameter.standard)) : Json(nullptr)},
-             {"range", parameter.kind == FamilyParameter::Kind::Flag
-                           ? "true, false"
-                           : fmt::format("{} to {}", parameter.lowest, parameter.highest)},
+             {"range", parameter.range()},
              {"meaning", parameter.meaning}});
     return {{"name", name}, {"summary", family.summary}, {"parameters", parameters}};
 }

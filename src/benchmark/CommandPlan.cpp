@@ -11,8 +11,10 @@
 #include "benchmark/Commands.h"
 #include "benchmark/Drawing.h"
 #include "benchmark/IsolatedRunner.h"
+#include "benchmark/PathTiming.h"
 #include "benchmark/SliceView.h"
 #include "benchmark/Text.h"
+#include "benchmark/TrajectoryFile.h"
 #include "planners/PlannerFactory.h"
 
 namespace narrows
@@ -27,7 +29,10 @@ struct PlanOptions
     bool noRecipe = false;
     std::string json;
     std::string svg;
-    std::string slice;  ///< where to draw the slice
+    std::string slice;       ///< where to draw the slice
+    std::string limits;      ///< of the joints; empty: no motion is asked for
+    std::string trajectory;  ///< where to write the motion
+    double rate = 1000.0;    ///< of its samples
 };
 
 RunSpec makeSpec(const PlanOptions &options)
@@ -37,6 +42,10 @@ RunSpec makeSpec(const PlanOptions &options)
     spec.instance = spec.scenario->name + "_" + spec.problem.checker;
     spec.label = spec.planner;
     spec.recipe = !options.noRecipe;
+    if (!options.limits.empty())
+        spec.limits = limitsFromText(options.limits);
+    else if (!options.trajectory.empty())
+        throw std::invalid_argument("--trajectory needs --limits velocity,acceleration,jerk");
     for (const auto &[name, value] : assignments("--param", options.parameters))
         spec.parameters[name] = value;
     // Wrong names and values are the caller's mistakes: found here, before they become the outcome of a run.
@@ -74,6 +83,11 @@ void printHuman(const RunSpec &spec, const Record &record)
     printLine("tip deviates", record.tipDeviation);
     printLine("closure", record.closure, "rad");
     printLine("simplified", record.simplifiedLength, "rad");
+    printLine("duration", record.duration, "s");
+    printLine("with stops", record.stopDuration, "s");
+    printLine("peak velocity", record.peakVelocity, "rad/s");
+    printLine("acceleration", record.peakAcceleration, "rad/s^2");
+    printLine("jerk", record.peakJerk, "rad/s^3");
     for (const auto &[name, value] : record.measures)
         printLine<double>(name, value);
     if (record.prescribed)
@@ -115,6 +129,22 @@ void printSlice(const SliceView &view)
         std::cout << fmt::format("  {:<16}the {}'s\n", "failure", view.failure());
 }
 
+/// The motion along the path that was found. False if there is none to write: no file then.
+bool saveTrajectory(const PlanOptions &options, const RunSpec &spec, const Record &record)
+{
+    const OrFailure<PathTiming> timing =
+        record.outcome == Outcome::Solved ? timePath(spec, record, *spec.limits) : TrajectoryFailure::NoMotion;
+    if (!timing)
+    {
+        std::cerr << fmt::format("{} was not written: {}\n", options.trajectory,
+                                 record.outcome == Outcome::Solved ? toText(timing.failure) : "there is no path");
+        return false;
+    }
+    writeTrajectory(*timing->motion, options.rate, options.trajectory);
+    std::cerr << fmt::format("{}: {} over {:.6g} s\n", options.trajectory, timing->method, timing->motion->duration());
+    return true;
+}
+
 int plan(const PlanOptions &options)
 {
     const RunSpec spec = makeSpec(options);
@@ -144,9 +174,10 @@ int plan(const PlanOptions &options)
         writeFile(options.json, json + "\n");
     if (!options.svg.empty())
         drawRecord(*spec.scenario, options.scenario, json, options.svg);
+    const bool saved = options.trajectory.empty() || saveTrajectory(options, spec, record);
     if (noSlice)
         std::rethrow_exception(noSlice);
-    return record.outcome == Outcome::Solved ? ExitDone : ExitNot;
+    return saved && record.outcome == Outcome::Solved ? ExitDone : ExitNot;
 }
 
 void addProblemOptions(CLI::App &command, PlanOptions &options)
@@ -188,7 +219,15 @@ void addPlanCommand(CLI::App &program, int &exitCode)
     command->add_option("--json", options->json, "write the record as JSON; - is stdout, and nothing else goes there");
     command->add_option("--svg", options->svg, "draw the motion");
     command->add_option("--slice", options->slice,
-                        "draw the slice of joint space that hppm followed its last curve in");
+                        "draw the slice of joint space that hppm followed its last curve in, or write it as .json");
+    command->add_option("--limits", options->limits,
+                        "velocity,acceleration,jerk of every joint (rad, s): say how fast the path can be followed");
+    command->add_option("--trajectory", options->trajectory,
+                        "write that motion as CSV: time, then each joint's "
+                        "position, velocity, acceleration and jerk");
+    command->add_option("--rate", options->rate, "samples per second of --trajectory")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     command->callback([options, &exitCode] { exitCode = plan(*options); });
 }
 }  // namespace narrows

@@ -20,6 +20,10 @@ void addVerifyCommand(CLI::App &program, int &exitCode);
 void addBenchCommand(CLI::App &program, int &exitCode);
 void addSummaryCommand(CLI::App &program, int &exitCode);
 void addRecheckCommand(CLI::App &program, int &exitCode);
+void addReplayCommand(CLI::App &program, int &exitCode);
+void addMergeCommand(CLI::App &program, int &exitCode);
+void addDoctorCommand(CLI::App &program, int &exitCode);
 void addGenerateCommand(CLI::App &program, int &exitCode);
+void addReportCommand(CLI::App &program, int &exitCode);
 void addListCommands(CLI::App &program, int &exitCode);
 }  // namespace narrows

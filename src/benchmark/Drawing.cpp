@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <vector>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -55,7 +54,7 @@ std::string findScript(const std::string &name)
         if (std::filesystem::exists(script))
             return script.string();
     }
-    throw std::runtime_error("drawing needs analysis/" + name + ", which is neither in the sources nor installed");
+    throw std::runtime_error("this needs analysis/" + name + ", which is neither in the sources nor installed");
 }
 
 /// \return the exit code; 127 if the program cannot be started
@@ -80,15 +79,23 @@ int run(std::vector<std::string> words, bool silent = false)
 }
 
 /// The first on the path, or else the system's, whose packages another one on the path may lack.
-std::string findPython()
+/// \param modules that it must have, of Debian packages named after them
+std::string findPython(const std::vector<std::string> &modules)
 {
+    std::string code = "import yaml";
+    std::string packages = "python3-yaml";
+    for (const std::string &module : modules)
+    {
+        code += ", " + module;
+        packages += ", python3-" + module;
+    }
     for (const char *python : {"python3", "/usr/bin/python3"})
-        if (run({python, "-c", "import matplotlib, numpy, yaml"}, true) == 0)
+        if (run({python, "-c", code}, true) == 0)
             return python;
-    throw std::runtime_error(
-        "drawing needs python3 with matplotlib, numpy and yaml "
-        "(Debian: python3-matplotlib, python3-numpy, python3-yaml)");
+    throw std::runtime_error("this needs python3 with packages that are missing; on Debian: " + packages);
 }
+
+const std::vector<std::string> drawingModules{"matplotlib", "numpy"};
 }  // namespace
 
 void drawRecord(const Scenario &scenario, const std::string &scenarioFile, const std::string &recordJson,
@@ -97,14 +104,22 @@ void drawRecord(const Scenario &scenario, const std::string &scenarioFile, const
     const TemporaryFile record(recordJson);
     const TemporaryFile generated(scenario.text);
     const std::string &scene = scenario.family.empty() ? scenarioFile : generated.path();
-    if (run({findPython(), findScript("draw.py"), "run", scene, record.path(), outputFile}) != 0)
+    if (run({findPython(drawingModules), findScript("draw.py"), "run", scene, record.path(), outputFile}) != 0)
         throw std::runtime_error("drawing failed: see above");
 }
 
 void drawData(const std::string &script, const std::string &json, const std::string &outputFile)
 {
     const TemporaryFile data(json);
-    if (run({findPython(), findScript(script), data.path(), outputFile}) != 0)
+    if (run({findPython(drawingModules), findScript(script), data.path(), outputFile}) != 0)
         throw std::runtime_error("drawing failed: see above");
+}
+
+void runReport(const std::vector<std::string> &words)
+{
+    std::vector<std::string> command{findPython({"numpy", "pandas", "scipy", "statsmodels"}), findScript("report.py")};
+    command.insert(command.end(), words.begin(), words.end());
+    if (run(command) != 0)
+        throw std::runtime_error("no report: see above");
 }
 }  // namespace narrows

@@ -2,7 +2,11 @@
 #include "benchmark/Experiment.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
 
 #include "benchmark/Sha256.h"
 
@@ -64,6 +68,7 @@ RunSpec makeSpec(const Experiment &experiment, const Instance &instance, const P
     spec.timeLimit = experiment.timeLimit;
     spec.memoryLimit = experiment.memoryLimit;
     spec.simplify = experiment.simplify;
+    spec.limits = experiment.limits;
     spec.warmUp = experiment.warmUp;
     spec.seed = runSeed(experiment, spec);
     return spec;
@@ -104,5 +109,42 @@ std::vector<RunSpec> expand(const Experiment &experiment)
                              [](const RunSpec &a, const RunSpec &b) { return a.seed < b.seed; });
         }
     return specs;
+}
+
+Shard shardFromText(const std::string &text)
+{
+    Shard shard;
+    const std::size_t slash = text.find('/');
+    const char *const end = text.data() + text.size();
+    const auto readsTo = [](const char *from, const char *to, int &value)
+    {
+        const auto [stop, error] = std::from_chars(from, to, value);
+        return error == std::errc{} && stop == to;
+    };
+    if (slash == std::string::npos || !readsTo(text.data(), text.data() + slash, shard.index) ||
+        !readsTo(text.data() + slash + 1, end, shard.count) || shard.index < 1 || shard.index > shard.count)
+        throw std::invalid_argument("a shard is written i/n with 1 <= i <= n, not \"" + text + "\"");
+    return shard;
+}
+
+std::vector<RunSpec> runsOf(const Shard &shard, const std::vector<RunSpec> &specs)
+{
+    // Dealt out instance by instance: in the order of the runs, as many shards as instances would give each machine an
+    // instance of its own.
+    std::map<std::string, std::set<int>> blocks;
+    for (const RunSpec &spec : specs)
+        blocks[spec.instance].insert(spec.run);
+    std::set<std::pair<std::string, int>> mine;
+    int turn = 0;
+    for (const auto &[instance, runs] : blocks)
+        for (const int run : runs)
+            if (turn++ % shard.count == shard.index - 1)
+                mine.emplace(instance, run);
+
+    std::vector<RunSpec> result;
+    for (const RunSpec &spec : specs)
+        if (mine.count({spec.instance, spec.run}) != 0)
+            result.push_back(spec);
+    return result;
 }
 }  // namespace narrows

@@ -47,8 +47,9 @@ struct Experiment
     std::string output;           ///< folder for the database
     SavePaths savePaths = SavePaths::Shortest;
     bool simplify = false;
-    double warmUp = 0.02;  ///< seconds, untimed, before every run
-    int jobs = 1;          ///< runs at a time
+    std::optional<MotionLimits> limits;  ///< at which the solutions' durations are compared
+    double warmUp = 0.02;                ///< seconds, untimed, before every run
+    int jobs = 1;                        ///< runs at a time
     std::vector<PlannerChoice> planners;
 
     /// Where results go unless told otherwise: <output>/<file's stem>.db
@@ -66,4 +67,20 @@ Experiment readExperiment(const std::string &path);
 /// alike. Every run's seed is a hash of all that identifies it: a run can be repeated alone, and adding a planner
 /// changes no other.
 std::vector<RunSpec> expand(const Experiment &experiment);
+
+/// A part of a campaign's runs, for several machines.
+struct Shard
+{
+    int index = 1;  ///< in [1, count]
+    int count = 1;
+};
+
+/// "2/8" as a shard.
+/// \throws std::invalid_argument for any other text
+Shard shardFromText(const std::string &text);
+
+/// The runs of one shard, in their order. The planners of one instance and run stay together, so that what is compared
+/// is measured on one machine; such blocks are dealt out in turn, those of one instance to different shards. Every run
+/// belongs to exactly one shard of `count`.
+std::vector<RunSpec> runsOf(const Shard &shard, const std::vector<RunSpec> &specs);
 }  // namespace narrows

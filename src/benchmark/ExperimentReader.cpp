@@ -8,6 +8,7 @@
 
 #include "benchmark/Experiment.h"
 #include "benchmark/IniFile.h"
+#include "benchmark/PathTiming.h"
 #include "benchmark/PlannerSection.h"
 #include "benchmark/SweepSection.h"
 #include "benchmark/Text.h"
@@ -99,6 +100,22 @@ Setting list(std::vector<std::string> &target)
     };
 }
 
+Setting motionLimits(std::optional<MotionLimits> &target)
+{
+    return [&target](const std::string &value) -> std::string
+    {
+        try
+        {
+            target = limitsFromText(value);
+            return "";
+        }
+        catch (const std::invalid_argument &error)
+        {
+            return error.what();
+        }
+    };
+}
+
 class ExperimentReader
 {
 public:
@@ -172,6 +189,7 @@ private:
                                                                               {"shortest", SavePaths::Shortest},
                                                                               {"all", SavePaths::All}})},
                 {"benchmark.simplify", oneOf<bool>(result_.simplify, {{"0", false}, {"1", true}})},
+                {"benchmark.limits", motionLimits(result_.limits)},
                 {"benchmark.checker", list(result_.checkers)},
                 {"benchmark.motion", list(result_.motions)},
                 {"benchmark.space", word(space_)},

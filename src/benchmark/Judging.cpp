@@ -9,6 +9,7 @@
 
 #include "kernel/PathMeasures.h"
 #include "planners/ModelPlanner.h"
+#include "spaces/JointCoordinates.h"
 
 namespace narrows
 {
@@ -92,6 +93,15 @@ void judgeClaim(const RunSpec &spec, const Problem &problem, const og::PathGeome
         record.reason = refusal(verdict);
 }
 
+void recordVias(const RunSpec &spec, const Problem &problem, const Eigen::MatrixXd &vias, Record &record)
+{
+    if (vias.size() == 0)
+        return;
+    const Eigen::MatrixXd configurations = JointCoordinates(*problem.space).toConfiguration() * vias;
+    for (const auto &configuration : configurations.colwise())
+        record.vias.push_back(toFile(spec.scenario->world, Eigen::VectorXd(configuration)));
+}
+
 /// The outcome of a solve() that claims no exact solution.
 Outcome outcomeOf(const SolveMeasurement &measurement)
 {
@@ -173,12 +183,13 @@ void judgeSimplified(const RunSpec &spec, const Problem &problem, const og::Path
     record.simplifiedVerified = verify(spec.scenario->world, rows).accepted;
 }
 
-void recordPlannerData(const Problem &problem, const ob::Planner &planner, Record &record)
+void recordPlannerData(const RunSpec &spec, const Problem &problem, const ob::Planner &planner, Record &record)
 {
     if (const auto *modelPlanner = dynamic_cast<const ModelPlanner *>(&planner))
     {
         record.measures = modelPlanner->measures();
         record.recipe = modelPlanner->recipe();
+        recordVias(spec, problem, modelPlanner->vias(), record);
         const auto own = record.measures.find("homotopy_evaluations");
         if (own != record.measures.end() && record.evaluations)
             *record.evaluations += static_cast<std::int64_t>(own->second);

@@ -23,8 +23,8 @@ void judge(const RunSpec &spec, const Problem &problem, const ob::Planner &plann
 /// What the verifier says of a path that was derived from a solution, and its length. The path is not kept.
 void judgeSimplified(const RunSpec &spec, const Problem &problem, const og::PathGeometric &path, Record &record);
 
-/// The planner's graph sizes and, for planners of ours, their own measures.
-void recordPlannerData(const Problem &problem, const ob::Planner &planner, Record &record);
+/// The planner's graph sizes and, for planners of ours, their own measures, recipe and vias.
+void recordPlannerData(const RunSpec &spec, const Problem &problem, const ob::Planner &planner, Record &record);
 
 /// A copy of the solution that the planner left in the problem definition; null without one.
 std::shared_ptr<og::PathGeometric> copySolution(const ob::ProblemDefinition &pdef);

@@ -123,6 +123,13 @@ const std::vector<Metric> &metrics()
         {"tip_deviation", "REAL", "largest distance of the tip from the tip path, between waypoints too, length",
          of(&Record::tipDeviation)},
         {"closure", "REAL", "largest joint change from start to end of a closed tip path, rad", of(&Record::closure)},
+        {"duration", "REAL", "of the fastest proven motion found along the path under the limits, s",
+         of(&Record::duration)},
+        {"stop_duration", "REAL", "of the fastest motion that stops at the path's corners, s",
+         of(&Record::stopDuration)},
+        {"peak_velocity", "REAL", "of that fastest motion, over all joints, rad/s", of(&Record::peakVelocity)},
+        {"peak_acceleration", "REAL", "likewise, rad/s^2", of(&Record::peakAcceleration)},
+        {"peak_jerk", "REAL", "likewise, rad/s^3", of(&Record::peakJerk)},
         {"prescribed", "BOOLEAN", "used the scenario's recipe: knowledge other planners do not get",
          of(&Record::prescribed)},
         {"uses_model", "BOOLEAN", "sees robot and obstacles, not only whether states are free", of(&Record::usesModel)},
@@ -131,5 +138,13 @@ const std::vector<Metric> &metrics()
         {"recipe", "TEXT", "parameters that follow the same curve again, JSON", jsonOf(&Record::recipe)},
         {"output", "TEXT", "last lines the run wrote to stdout and stderr", of(&Record::output)}};
     return table;
+}
+
+bool isMeasured(const Metric &metric)
+{
+    for (const char *name : {"time", "cpu_time", "simplification_time", "memory", "peak_memory_kb"})
+        if (metric.name == name)
+            return true;
+    return false;
 }
 }  // namespace narrows

@@ -16,6 +16,7 @@
 
 #include "benchmark/Judging.h"
 #include "benchmark/MeasuredPlanner.h"
+#include "benchmark/PathTiming.h"
 #include "benchmark/PreparedRun.h"
 #include "benchmark/QuietOmpl.h"
 #include "planners/PlannerFactory.h"
@@ -180,7 +181,8 @@ private:
         recordCosts(planner.measurement(), record);
         record.time = numberIn(run, "time REAL");
         judge(spec, problem_, planner.planner(), planner.measurement(), planner.path(), record);
-        recordPlannerData(problem_, planner.planner(), record);
+        recordPlannerData(spec, problem_, planner.planner(), record);
+        recordTiming(spec, record);
         record.measures["process_seed"] = seed_;
         if (record.outcome == Outcome::Solved && run.count("simplification time REAL") > 0)
         {

@@ -108,6 +108,11 @@ void visitOptionals(AnyRecord &record, const Visit &visit)
     visit("closure", record.closure);
     visit("simplification_time_s", record.simplificationTime);
     visit("simplified_length", record.simplifiedLength);
+    visit("duration", record.duration);
+    visit("stop_duration", record.stopDuration);
+    visit("peak_velocity", record.peakVelocity);
+    visit("peak_acceleration", record.peakAcceleration);
+    visit("peak_jerk", record.peakJerk);
     visit("simplified_verified", record.simplifiedVerified);
 }
 
@@ -162,6 +167,7 @@ Record decodeRecord(const Json &json)
         decode(value, record.measures[name]);
     record.output = json.at("output").get<std::string>();
     record.path = decodePath(json.at("path"));
+    record.vias = decodePath(json.at("vias"));
     return record;
 }
 }  // namespace
@@ -207,6 +213,7 @@ std::string toJson(const RunSpec &spec, const Record &record)
         json["measures"][name] = encode(value);
     json["output"] = record.output;
     json["path"] = encodePath(record.path);
+    json["vias"] = encodePath(record.vias);
     // What planners print or throw need not be UTF-8.
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "kernel/trajectory/MotionPeaks.h"
 #include "scenario/Problem.h"
 
 namespace narrows
@@ -48,9 +49,10 @@ struct RunSpec
     bool recipe = true;                             ///< may the planner use the scenario's `methods`?
     int run = 0;
     std::uint32_t seed = 1;
-    double timeLimit = 10.0;      ///< seconds, for solve()
-    double memoryLimit = 1024.0;  ///< MB on top of what the program needs before the run
-    bool simplify = false;        ///< also time OMPL's path simplification
+    double timeLimit = 10.0;             ///< seconds, for solve()
+    double memoryLimit = 1024.0;         ///< MB on top of what the program needs before the run
+    bool simplify = false;               ///< also time OMPL's path simplification
+    std::optional<MotionLimits> limits;  ///< of every joint: also say how fast the path can be followed
     double warmUp = 0.0;  ///< seconds of untimed solving of the same problem beforehand, so that a fresh process's
                           ///< page faults and cold caches are not booked as planning
 };
@@ -89,12 +91,18 @@ struct Record
     std::optional<double> tipDeviation;        ///< of the tip from the tip path, between waypoints too
     std::optional<double> closure;             ///< largest joint change over a closed tip path, radians
     std::optional<double> simplifiedLength;
+    std::optional<double> duration;      ///< of the fastest proven motion found under the limits, s (PathTiming.h)
+    std::optional<double> stopDuration;  ///< of the fastest that stops at the path's corners, s
+    std::optional<double> peakVelocity;  ///< over all joints, of the former: rad/s, rad/s^2, rad/s^3
+    std::optional<double> peakAcceleration;
+    std::optional<double> peakJerk;
     std::optional<bool> simplifiedVerified;
     std::optional<bool> verified;                   ///< empty if no exact path was claimed
     std::map<std::string, double> measures;         ///< the planner's own (hyperspheres, rejected_steps, ...)
     std::map<std::string, std::string> recipe;      ///< see ModelPlanner::recipe()
     std::map<std::string, std::string> parameters;  ///< all of the planner's parameters as they were used
     std::vector<Eigen::VectorXd> path;              ///< scenario's own convention, unwrapped; empty without a path
+    std::vector<Eigen::VectorXd> vias;              ///< see ModelPlanner::vias(); as the path
     std::string output;                             ///< the last lines the run wrote to stdout and stderr
 };
 

@@ -10,11 +10,17 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark/Metrics.h"
+#include "benchmark/ResultFile.h"
 #include "benchmark/Sha256.h"
 #include "benchmark/Text.h"
 
 namespace narrows
 {
+void refuse(const std::string &path, const std::string &reason)
+{
+    throw InputError({{path, 0, "", reason}});
+}
+
 namespace
 {
 constexpr int schemaVersion = 1;
@@ -47,11 +53,6 @@ CREATE VIEW bestPlannerConfigs AS
   GROUP BY name ORDER BY avg_solved DESC, avg_total_time ASC;
 )";
 
-[[noreturn]] void refuse(const std::string &path, const std::string &reason)
-{
-    throw InputError({{path, 0, "", reason}});
-}
-
 std::string runsTable()
 {
     std::string text =
@@ -63,18 +64,27 @@ std::string runsTable()
     return text + ", environmentid INTEGER REFERENCES environments(id), UNIQUE (experimentid, plannerid, run));";
 }
 
-/// What an older program began lacks the newest metrics: their cells are NULL, not measured, in the rows that it wrote.
-void addNewMetrics(SQLite::Database &database)
+}  // namespace
+
+std::set<std::string> runColumns(SQLite::Database &database)
 {
     std::set<std::string> present;
     SQLite::Statement query(database, "SELECT name FROM pragma_table_info('runs')");
     while (query.executeStep())
         present.insert(query.getColumn(0).getString());
+    return present;
+}
+
+void addNewMetrics(SQLite::Database &database)
+{
+    const std::set<std::string> present = runColumns(database);
     for (const Metric &metric : metrics())
         if (present.count(metric.name) == 0)
             database.exec("ALTER TABLE runs ADD COLUMN " + metric.name + " " + metric.type);
 }
 
+namespace
+{
 std::string environmentsTable()
 {
     std::string text = "CREATE TABLE environments (id INTEGER PRIMARY KEY, date DATETIME";
@@ -100,7 +110,8 @@ void setUp(SQLite::Database &database)
     database.exec("PRAGMA foreign_keys = ON");
 }
 
-/// Opens a file that must be a sound database of ours.
+}  // namespace
+
 std::unique_ptr<SQLite::Database> openOurs(const std::string &path, int mode)
 {
     if (!std::filesystem::is_regular_file(path))
@@ -126,6 +137,8 @@ std::unique_ptr<SQLite::Database> openOurs(const std::string &path, int mode)
     }
 }
 
+namespace
+{
 void requireSame(const std::string &path, SQLite::Database &database, const Experiment &experiment,
                  const std::string &engine)
 {
@@ -220,10 +233,12 @@ void ResultStore::insertInstances(const Experiment &experiment)
                      experiment.name + ": " + scenario.name + (scenario.source.empty() ? "" : ", " + scenario.source),
                      scenario.name, spec.problem.checker, spec.problem.motion);
         insert.exec();
-        const nlohmann::json options{{"group", spec.group},           {"checker", spec.problem.checker},
-                                     {"motion", spec.problem.motion}, {"simplify", spec.simplify},
-                                     {"warm_up", spec.warmUp},        {"time_limit", spec.timeLimit},
-                                     {"mem_limit", spec.memoryLimit}};
+        nlohmann::json options{{"group", spec.group},           {"checker", spec.problem.checker},
+                               {"motion", spec.problem.motion}, {"simplify", spec.simplify},
+                               {"warm_up", spec.warmUp},        {"time_limit", spec.timeLimit},
+                               {"mem_limit", spec.memoryLimit}};
+        if (spec.limits)
+            options["limits"] = {spec.limits->velocity, spec.limits->acceleration, spec.limits->jerk};
         SQLite::Statement instance(*database_, "INSERT INTO instances VALUES (last_insert_rowid(), ?, ?, ?)");
         SQLite::bind(instance, scenario.text, sha256(scenario.text), options.dump());
         instance.exec();

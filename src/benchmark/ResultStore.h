@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "benchmark/Environment.h"
 #include "benchmark/Experiment.h"
+#include "benchmark/Metrics.h"
 
 namespace SQLite
 {
@@ -47,6 +49,22 @@ struct PathRow
     std::vector<Eigen::VectorXd> path;  ///< in the scenario's own convention
 };
 
+/// A run as it was planned and what is stored of it.
+struct StoredRun
+{
+    RunSpec spec;
+    std::map<std::string, Cell> cells;  ///< of `runs` by column; metrics only
+    std::vector<Eigen::VectorXd> path;  ///< in the scenario's own convention; empty if none was kept
+};
+
+/// What is to be said of a database.
+struct Diagnosis
+{
+    std::vector<std::string> faults;  ///< things that should never be: numbers from it cannot be trusted
+    std::vector<std::string> notes;   ///< things to know before reading numbers: runs that are missing, a tree with
+                                      ///< changes that no commit has, unlike machines
+};
+
 /// The database of one campaign: OMPL's benchmark tables with OMPL's columns, and ours (docs/database.md). This is the
 /// only place that knows SQL. Every run is added in a transaction of its own, so that a killed campaign loses none that
 /// it had finished.
@@ -62,6 +80,13 @@ public:
     /// For reading.
     /// \throws InputError if there is no such file or it is damaged, not ours, or of a newer version of this program.
     static ResultStore open(const std::string &path);
+
+    /// A new database with the runs of several that hold parts of one campaign (shards). The parts stay as they are;
+    /// nothing is left behind if it fails.
+    /// \param unlike also if the parts were measured in environments that differ (commit, compiler, CPU, libraries)
+    /// \throws InputError naming the part if the file exists, a part is not sound or of another campaign, two parts
+    /// hold the same run, or, without `unlike`, their environments differ.
+    static ResultStore merge(const std::string &path, const std::vector<std::string> &parts, bool unlike = false);
 
     ResultStore(ResultStore &&other) noexcept;
     ResultStore &operator=(ResultStore &&other) noexcept;
@@ -79,6 +104,11 @@ public:
     /// Ordered by instance, label and run.
     std::vector<RunRow> runs() const;
     void eachPath(const std::function<void(const PathRow &)> &visit) const;
+    /// \param id of the table `runs`
+    /// \throws std::invalid_argument if there is no such run
+    StoredRun run(std::int64_t id) const;
+    /// Looks for what should not be: rows that refer to nothing, scenarios that are not what they were, ...
+    Diagnosis examine() const;
 
 private:
     explicit ResultStore(std::unique_ptr<SQLite::Database> database);

@@ -2,6 +2,7 @@
 // The rows of a ResultStore: one run in, many runs out.
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark/Metrics.h"
+#include "benchmark/ResultFile.h"
 #include "benchmark/ResultStore.h"
 
 namespace narrows
@@ -25,6 +27,45 @@ void bindCell(SQLite::Statement &statement, int index, const Cell &cell)
         statement.bind(index, *text);
     else
         statement.bind(index);
+}
+
+Cell cellOf(const SQLite::Column &column)
+{
+    if (column.isNull())
+        return {};
+    if (column.isInteger())
+        return static_cast<std::int64_t>(column.getInt64());
+    if (column.isFloat())
+        return column.getDouble();
+    return column.getString();
+}
+
+/// What settingsText() wrote, as the spec's own. A value may hold ";", but no piece of one looks like name=value.
+void applySettings(const std::string &settings, RunSpec &spec)
+{
+    std::map<std::string, std::string> values;
+    std::string name;
+    std::istringstream pieces(settings);
+    for (std::string piece; std::getline(pieces, piece, ';');)
+    {
+        const std::size_t equals = piece.find('=');
+        if (equals == std::string::npos)
+        {
+            values[name] += ";" + piece;
+            continue;
+        }
+        name = piece.substr(0, equals);
+        values[name] = piece.substr(equals + 1);
+    }
+    const auto take = [&](const char *key)
+    {
+        const auto node = values.extract(key);
+        return node ? node.mapped() : std::string();
+    };
+    spec.planner = take("planner");
+    spec.problem.space = take("space");
+    spec.recipe = take("recipe") != "none";
+    spec.parameters = std::move(values);
 }
 
 std::optional<double> optionalNumber(const SQLite::Column &column)
@@ -156,6 +197,54 @@ std::vector<RunRow> ResultStore::runs() const
         rows.push_back(row);
     }
     return rows;
+}
+
+StoredRun ResultStore::run(std::int64_t id) const
+{
+    std::string columns;
+    std::vector<std::string> known;
+    const std::set<std::string> present = runColumns(*database_);
+    for (const Metric &metric : metrics())
+        if (present.count(metric.name) != 0)
+        {
+            known.push_back(metric.name);
+            columns += ", runs." + metric.name;
+        }
+    SQLite::Statement query(*database_, R"(
+        SELECT experiments.name, plannerConfigs.name, settings, checker, motion, experiments.scenario,
+          instances.scenario, options, angles)" +
+                                            columns + R"(
+        FROM runs JOIN experiments ON experiments.id = runs.experimentid
+          JOIN instances ON instances.experimentid = runs.experimentid
+          JOIN plannerConfigs ON plannerConfigs.id = plannerid LEFT JOIN paths ON runid = runs.id WHERE runs.id = ?)");
+    query.bind(1, id);
+    if (!query.executeStep())
+        throw std::invalid_argument("there is no run " + std::to_string(id) + " in this database");
+    StoredRun stored;
+    for (const std::string &name : known)
+        stored.cells[name] = cellOf(query.getColumn(name.c_str()));
+
+    RunSpec &spec = stored.spec;
+    applySettings(query.getColumn(2).getString(), spec);
+    spec.instance = query.getColumn(0).getString();
+    spec.label = query.getColumn(1).getString();
+    spec.problem.checker = query.getColumn(3).getString();
+    spec.problem.motion = query.getColumn(4).getString();
+    spec.scenario =
+        std::make_shared<const Scenario>(parseScenario(query.getColumn(6).getString(), query.getColumn(5).getString()));
+    const nlohmann::json options = nlohmann::json::parse(query.getColumn(7).getString());
+    spec.group = options.value("group", spec.instance);
+    spec.simplify = options.at("simplify").get<bool>();
+    spec.warmUp = options.at("warm_up").get<double>();
+    if (options.contains("limits"))
+        spec.limits = MotionLimits{options.at("limits").at(0), options.at("limits").at(1), options.at("limits").at(2)};
+    spec.timeLimit = options.at("time_limit").get<double>();
+    spec.memoryLimit = options.at("mem_limit").get<double>();
+    spec.run = static_cast<int>(std::get<std::int64_t>(stored.cells.at("run")));
+    spec.seed = static_cast<std::uint32_t>(std::get<std::int64_t>(stored.cells.at("seed")));
+    if (!query.getColumn(8).isNull())
+        stored.path = pathFromText(query.getColumn(8).getString());
+    return stored;
 }
 
 void ResultStore::eachPath(const std::function<void(const PathRow &)> &visit) const

@@ -9,6 +9,7 @@
 #include <ompl/util/Exception.h>
 
 #include "benchmark/Judging.h"
+#include "benchmark/PathTiming.h"
 #include "benchmark/PreparedRun.h"
 #include "benchmark/ProcessUsage.h"
 #include "benchmark/QuietOmpl.h"
@@ -96,7 +97,8 @@ void runStages(const RunSpec &spec, const std::function<void(RunStage)> &onStage
     const std::shared_ptr<og::PathGeometric> path = copySolution(*run.problem.pdef);
     judge(spec, run.problem, *run.planner, measurement, path.get(), record);
     if (!measurement.failure)
-        recordPlannerData(run.problem, *run.planner, record);
+        recordPlannerData(spec, run.problem, *run.planner, record);
+    recordTiming(spec, record);
     if (spec.simplify && record.outcome == Outcome::Solved)
         simplifySolution(spec, run.problem, *path, record);
 }

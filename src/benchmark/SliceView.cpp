@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmark/Drawing.h"
+#include "benchmark/Text.h"
 #include "kernel/SliceOracle.h"
 #include "planners/HPPM.h"
 
@@ -154,6 +156,31 @@ void count(const Trace &trace, SliceChecks &checks, SliceAnswer &answer)
     answer.bottleneck = least;
 }
 
+Json rowOf(const World &world, const Eigen::VectorXd &q)
+{
+    const Eigen::VectorXd row = toFile(world, q);
+    return std::vector<double>(row.begin(), row.end());
+}
+
+/// What turns a point (lambda, s) of the picture into a configuration, as the scenario's file counts joints: the
+/// configurations at s = 0, evenly spread over the window's lambda, and what one radian of s adds to each joint.
+/// (Every configuration of the slice is their sum: SliceHomotopy::configuration is linear in s.)
+Json configurations(const World &world, const SliceHomotopy &slice, const SliceWindow &window)
+{
+    Json middle = Json::array();
+    Eigen::VectorXd q, aside;
+    for (int j = 0; j < pictureColumns; ++j)
+    {
+        const double lambda = window.lambdaMin + (window.lambdaMax - window.lambdaMin) * j / (pictureColumns - 1);
+        slice.configuration(Eigen::Vector2d(0.0, lambda * slice.lambdaScale()), q);
+        middle.push_back(rowOf(world, q));
+    }
+    slice.configuration(Eigen::Vector2d(0.0, 0.0), q);
+    slice.configuration(Eigen::Vector2d(1.0, 0.0), aside);
+    const Eigen::VectorXd direction = toFile(world, aside) - toFile(world, q);
+    return {{"middle", middle}, {"direction", std::vector<double>(direction.begin(), direction.end())}};
+}
+
 SliceAnswer explore(const Look &look, const SliceHomotopy &slice, const SliceWindow &window, const Trace &trace)
 {
     SliceChecks checks(look);
@@ -191,6 +218,7 @@ SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
               {"deviation", window.deviation},
               {"traced_from", look.planner->getTracedFrom()}};
     json["obstacles"] = shadows(look, slice, window);
+    json.update(configurations(scenario.world, slice, window));
     json["curve"] = Json::array({place(slice, slice.startPoint())});
     json["rejected"] = Json::array();
     for (const TraceStep &step : trace.log)
@@ -204,6 +232,9 @@ SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
 
 void drawSlice(const SliceView &view, const std::string &outputFile)
 {
-    drawData("draw_slice.py", view.json, outputFile);
+    if (std::filesystem::path(outputFile).extension() == ".json")
+        writeFile(outputFile, view.json + "\n");
+    else
+        drawData("draw_slice.py", view.json, outputFile);
 }
 }  // namespace narrows

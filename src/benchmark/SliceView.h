@@ -15,7 +15,7 @@ struct SliceView
     double bottleneck = 0.0;  ///< clearance of the widest way that was found; 0 without a way
     double spacing = 0.0;     ///< gaps narrower than this may have been overlooked, in the slice's unit (radians)
     std::string status;       ///< how the curve ended (TraceStatus)
-    std::string json;         ///< all of it, for analysis/draw_slice.py
+    std::string json;         ///< all of it, for analysis/draw_slice.py and the report's page
 
     /// Whose failure it is that the curve did not reach the goal: "slice", "curve", or nothing if it did.
     std::string failure() const { return status == "reached_goal" ? "" : joins ? "curve" : "slice"; }
@@ -26,7 +26,7 @@ struct SliceView
 SliceView viewSlice(const Scenario &scenario, const ProblemOptions &options,
                     const std::map<std::string, std::string> &recipe);
 
-/// Draws it.
-/// \throws std::runtime_error as drawRecord
+/// Draws it, or writes its data if the file's name ends in .json.
+/// \throws std::runtime_error as drawRecord, or if the file cannot be written
 void drawSlice(const SliceView &view, const std::string &outputFile);
 }  // namespace narrows

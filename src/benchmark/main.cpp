@@ -39,7 +39,11 @@ int main(int argc, char **argv)
     addBenchCommand(program, exitCode);
     addSummaryCommand(program, exitCode);
     addRecheckCommand(program, exitCode);
+    addReplayCommand(program, exitCode);
+    addMergeCommand(program, exitCode);
+    addDoctorCommand(program, exitCode);
     addGenerateCommand(program, exitCode);
+    addReportCommand(program, exitCode);
     addListCommands(program, exitCode);
     try
     {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <ompl/base/Planner.h>
+#include <Eigen/Core>
 
 #include "spaces/Ompl.h"
 
@@ -29,6 +30,14 @@ public:
     /// Parameters with which the planner does at once what has led to its solution or, without one, what it tried last;
     /// empty if there is nothing to say.
     virtual std::map<std::string, std::string> recipe() const { return {}; }
+
+    /// The corners of the free polyline that a smooth solution was made from, one column each, joints as the space
+    /// counts them, without wrapping; empty if the solution is the polyline.
+    virtual const Eigen::MatrixXd &vias() const
+    {
+        static const Eigen::MatrixXd none;
+        return none;
+    }
 
 protected:
     std::string reason_;

@@ -130,6 +130,25 @@ const Meanings &hppm()
     return meanings;
 }
 
+const Meanings &threader()
+{
+    static const Meanings meanings{
+        {"bending", "push steps that end in an obstacle out of it"},
+        {"centring", "go on through the middle of gaps where a step is blocked"},
+        {"full", "search all of joint space"},
+        {"gap_width", "half width of the widest gaps that are threaded, as a part of the arm's reach"},
+        {"range", "longest edge in all of joint space, radians; 0: long and short ones by turns"},
+        {"rounds", "of all members before giving up; each is half as long again"},
+        {"slice_box", "half the side of what is sampled in slices, radians per root of joints and dimensions"},
+        {"slice_dimensions", "of the largest slice"},
+        {"slice_range", "longest edge in slices, radians; 0: 0.8"},
+        {"slices", "search slices of few dimensions through start and goal"},
+        {"straight", "try the straight motions first"},
+        {"traces", "follow some of HPPM's curves from the fifth round on"},
+    };
+    return meanings;
+}
+
 const Meanings &vdsm()
 {
     static const Meanings meanings{
@@ -147,7 +166,8 @@ const Meanings &vdsm()
 
 const Meanings *own(const std::string &planner)
 {
-    static const std::map<std::string, const Meanings *> tables{{"hppm", &hppm()}, {"vdsm", &vdsm()}};
+    static const std::map<std::string, const Meanings *> tables{
+        {"hppm", &hppm()}, {"threader", &threader()}, {"vdsm", &vdsm()}};
     const auto found = tables.find(planner);
     return found == tables.end() ? nullptr : found->second;
 }

@@ -12,7 +12,10 @@
 #include "planners/LegByLeg.h"
 #include "planners/NearNames.h"
 #include "planners/OmplPlanners.h"
+#include "planners/Threader.h"
+#include "planners/TightManeuvering.h"
 #include "planners/VDSM.h"
+#include "planners/ViaPointHomotopy.h"
 
 namespace narrows
 {
@@ -44,6 +47,19 @@ PlannerEntry hppm()
     return result;
 }
 
+PlannerEntry threader()
+{
+    PlannerEntry result;
+    result.name = "threader";
+    result.summary = "trees that thread gaps along their middle, in slices and in all of joint space (ours)";
+    result.usesModel = true;
+    result.make = [](const PlannerContext &context)
+    {
+        return std::make_shared<Threader>(context.si, context.planar, context.repulsion);
+    };
+    return result;
+}
+
 PlannerEntry vdsm()
 {
     PlannerEntry result;
@@ -62,11 +78,47 @@ PlannerEntry vdsm()
     return result;
 }
 
+PlannerEntry viaPoint()
+{
+    PlannerEntry result;
+    result.name = "viapoint";
+    result.summary = "joins start and goal by via points, then by a smooth motion in time that is certified free";
+    result.usesModel = true;
+    result.make = [](const PlannerContext &context)
+    {
+        const bool selfCollision =
+            context.planar ? context.planar->selfCollision : !context.spatial || context.spatial->selfCollision;
+        return std::make_shared<ViaPointHomotopy>(context.si, selfCollision);
+    };
+    return result;
+}
+
+PlannerEntry tight()
+{
+    PlannerEntry result;
+    result.name = "tight";
+    result.summary =
+        "feeds a chain along one path for all its joints, bent until every link is free (tight maneuvering)";
+    result.usesModel = true;
+    result.make = [](const PlannerContext &context)
+    {
+        return std::make_shared<TightManeuvering>(context.si, context.planar, context.spatial);
+    };
+    result.unsupported = [](const PlannerContext &context)
+    {
+        return TightManeuvering::whyUnsupported(context.planar.get(), context.spatial.get());
+    };
+    return result;
+}
+
 std::vector<PlannerEntry> initialTable()
 {
     std::vector<PlannerEntry> all = omplPlanners();
     all.push_back(hppm());
+    all.push_back(tight());
+    all.push_back(threader());
     all.push_back(vdsm());
+    all.push_back(viaPoint());
     for (PlannerEntry &entry : ikPlanners())
         all.push_back(std::move(entry));
     std::sort(all.begin(), all.end(), byName);

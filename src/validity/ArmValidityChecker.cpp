@@ -35,7 +35,12 @@ bool ArmValidityChecker::isValid(const ob::State *state) const
 
 double ArmValidityChecker::clearance(const ob::State *state) const
 {
+    return clearanceAt(configuration(*space_, state));
+}
+
+double ArmValidityChecker::clearanceAt(ConfigurationRef q) const
+{
     counts_->placements.fetch_add(1, std::memory_order_relaxed);
-    return checker_->clearance(configuration(*space_, state));
+    return checker_->clearance(q);
 }
 }  // namespace narrows

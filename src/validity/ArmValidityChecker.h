@@ -23,6 +23,8 @@ public:
 
     /// Distance from the arm to the nearest thing it must not touch; negative or zero iff they touch.
     double clearance(const ob::State *state) const override;
+    /// The same of a configuration, which need not be a state's: full turns count.
+    double clearanceAt(ConfigurationRef q) const;
 
 private:
     const ArmStateSpace *space_;

@@ -3,6 +3,7 @@
 
 #include "kernel/MeshGeometry.h"
 #include "kernel/SegmentDistance.h"
+#include "kernel/SpatialBounds.h"
 #include "kernel/SpatialDistance.h"
 #include "kernel/SuperellipseGeometry.h"
 
@@ -42,10 +43,57 @@ struct PlanarFill
     double room;
 };
 
+/// Of the cells in a row along an axis: from the first center at or above `lower` to before the first above `upper`.
+std::pair<int, int> cellsBetween(const VoxelGrid<3> &grid, int axis, double lower, double upper)
+{
+    const auto place = [&](double x)
+    {
+        return (x - grid.lower()[axis]) / grid.spacing() - 0.5;
+    };
+    const double most = grid.counts()[axis];
+    return {static_cast<int>(std::clamp(std::ceil(place(lower)), 0.0, most)),
+            static_cast<int>(std::clamp(std::floor(place(upper)) + 1.0, 0.0, most))};
+}
+
+/// Row by row, a rounded box along the axes: a fiftieth of the time of blocks.
+void occupyAround(VoxelGrid<3> &grid, const SpatialBounds &box, double room)
+{
+    const auto [firstZ, endZ] = cellsBetween(grid, 2, box.lower.z() - room, box.upper.z() + room);
+    const auto [firstY, endY] = cellsBetween(grid, 1, box.lower.y() - room, box.upper.y() + room);
+    for (int k = firstZ; k < endZ; ++k)
+        for (int j = firstY; j < endY; ++j)
+        {
+            const Eigen::Vector3d center = grid.center(VoxelGrid<3>::Index(0, j, k));
+            const Eigen::Vector3d away = (box.lower - center).cwiseMax(center - box.upper).cwiseMax(0.0);
+            const double square = room * room - away.y() * away.y() - away.z() * away.z();
+            if (square < 0.0)
+                continue;
+            const double reach = std::sqrt(square);
+            const auto [first, end] = cellsBetween(grid, 0, box.lower.x() - reach, box.upper.x() + reach);
+            const int row = grid.cell(VoxelGrid<3>::Index(0, j, k));
+            for (int i = first; i < end; ++i)
+                grid.occupy(row + i);
+        }
+}
+
 struct SpatialFill
 {
+    void operator()(const Box &box) const
+    {
+        if (box.pose.linear().isIdentity(0.0))
+            occupyAround(grid, spatialBounds(box), room);
+        else
+            occupySolid(box);
+    }
+
     template <class Shape>
     void operator()(const Shape &shape) const
+    {
+        occupySolid(shape);
+    }
+
+    template <class Shape>
+    void occupySolid(const Shape &shape) const
     {
         grid.occupyWithin([&shape](const Eigen::Vector3d &point) { return nearness(point, point, shape).distance; },
                           room);

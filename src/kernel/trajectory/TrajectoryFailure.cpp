@@ -25,6 +25,8 @@ std::string toText(TrajectoryFailure failure)
             return "pole";
         case TrajectoryFailure::Singular:
             return "singular";
+        case TrajectoryFailure::NoMotion:
+            return "no motion";
         case TrajectoryFailure::Infeasible:
             return "infeasible";
     }

@@ -18,6 +18,7 @@ enum class TrajectoryFailure
     BadLimit,    ///< a limit is not positive and finite
     Pole,        ///< a term's denominator vanishes within its time, or nearly: offset too large for n and the duration
     Singular,    ///< K = 1 (or equal shapes, or windows that coincide): the via point does not determine the terms
+    NoMotion,    ///< all points are equal
     Infeasible,  ///< no parameters were found that keep the limits and the overshoot asked for
 };
 

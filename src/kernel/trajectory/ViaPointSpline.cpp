@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/trajectory/ViaPointSpline.h"
 
+#include "kernel/trajectory/TimedPoints.h"
+
 namespace narrows
 {
 namespace
 {
-constexpr double longestTime = 1e6;
-constexpr double shortestSegment = 1e-9;  // of the duration: below it times are rounding
+constexpr double shortestPiece = 1e-12;   // of the duration: below it knots are one
 constexpr double peakSlack = 1.0 + 2e-9;  // what peaks may be too low by
 constexpr double leastPivot = 0.05;       // below it levels run away from the points
-
-TrajectoryFailure faultOf(const Eigen::MatrixXd &points, const std::vector<double> &times, double overlap)
-{
-    if (points.rows() < 1 || points.cols() < 2 || static_cast<std::size_t>(points.cols()) != times.size())
-        return TrajectoryFailure::BadCount;
-    if (!points.allFinite() || !std::isfinite(overlap))
-        return TrajectoryFailure::NotFinite;
-    for (const double time : times)
-        if (!std::isfinite(time))
-            return TrajectoryFailure::NotFinite;
-    if (times.front() != 0.0 || times.back() > longestTime)
-        return TrajectoryFailure::BadTime;
-    for (std::size_t i = 1; i < times.size(); ++i)
-        if (!(times[i] - times[i - 1] > shortestSegment * times.back()))
-            return TrajectoryFailure::BadTime;
-    return overlap >= 0.0 && overlap <= 1.0 ? TrajectoryFailure::None : TrajectoryFailure::BadShape;
-}
 }  // namespace
 
 ViaPointSpline::ViaPointSpline(const std::vector<double> &times, double overlap, const Rise &rise)
@@ -37,8 +21,12 @@ ViaPointSpline::ViaPointSpline(const std::vector<double> &times, double overlap,
 OrFailure<ViaPointSpline> ViaPointSpline::through(const Eigen::MatrixXd &points, const std::vector<double> &times,
                                                   double overlap, const Rise &rise)
 {
-    if (const TrajectoryFailure fault = faultOf(points, times, overlap); fault != TrajectoryFailure::None)
+    if (const TrajectoryFailure fault = faultOf(points, times); fault != TrajectoryFailure::None)
         return fault;
+    if (!std::isfinite(overlap))
+        return TrajectoryFailure::NotFinite;
+    if (!(overlap >= 0.0 && overlap <= 1.0))
+        return TrajectoryFailure::BadShape;
     ViaPointSpline spline(times, overlap, rise);
     if (!spline.solveLevels(points))
         return TrajectoryFailure::Singular;
@@ -85,6 +73,21 @@ bool ViaPointSpline::solveLevels(const Eigen::MatrixXd &points)
     return levels_.allFinite();
 }
 
+class ViaPointSpline::Joint : public PiecewiseMotion
+{
+public:
+    Joint(const ViaPointSpline &spline, Eigen::Index index);
+
+    std::vector<double> knots() const override { return knots_; }
+    Series<4, Enclosure> over(std::size_t piece, const Enclosure &t) const override;
+
+private:
+    const ViaPointSpline &spline_;
+    Eigen::Index index_;
+    std::vector<double> knots_;      ///< where windows begin and end
+    std::vector<std::size_t> done_;  ///< how many terms have ended when a piece begins
+};
+
 ViaPointSpline::Joint::Joint(const ViaPointSpline &spline, Eigen::Index index) : spline_(spline), index_(index)
 {
     for (const Window &window : spline.windows_)
@@ -93,10 +96,18 @@ ViaPointSpline::Joint::Joint(const ViaPointSpline &spline, Eigen::Index index) :
         knots_.push_back(window.to);
     }
     std::sort(knots_.begin(), knots_.end());
-    const double near = 1e-3 * shortestSegment * spline.duration();
+    const double near = shortestPiece * spline.duration();
     knots_.erase(std::unique(knots_.begin(), knots_.end(), [near](double a, double b) { return b - a <= near; }),
                  knots_.end());
     knots_.back() = spline.duration();
+    std::size_t done = 0;
+    for (std::size_t piece = 0; piece + 1 < knots_.size(); ++piece)
+    {
+        const double middle = 0.5 * (knots_[piece] + knots_[piece + 1]);
+        while (done < spline.windows_.size() && spline.windows_[done].to <= middle)
+            ++done;
+        done_.push_back(done);
+    }
 }
 
 Series<4, Enclosure> ViaPointSpline::Joint::over(std::size_t piece, const Enclosure &t) const
@@ -106,20 +117,23 @@ Series<4, Enclosure> ViaPointSpline::Joint::over(std::size_t piece, const Enclos
     {
         return std::clamp((time - window.from) * window.rate, 0.0, 1.0);
     };
+    // Windows begin and end in their order: the terms that have ended add up to a level.
     Series<4, Enclosure> sum{};
-    sum[0] = spline_.levels_(index_, 0);
-    for (std::size_t k = 0; k < spline_.windows_.size(); ++k)
+    sum[0] = spline_.levels_(index_, static_cast<Eigen::Index>(done_[piece]));
+    for (std::size_t k = done_[piece]; k < spline_.windows_.size() && spline_.windows_[k].from < middle; ++k)
     {
         const Window &window = spline_.windows_[k];
         const Eigen::Index column = static_cast<Eigen::Index>(k);
         const double part = spline_.levels_(index_, column + 1) - spline_.levels_(index_, column);
-        if (window.to <= middle)
-            sum[0] = sum[0] + part;
-        else if (window.from < middle)
-            addRise<4, Enclosure>(sum, spline_.rise_, {argument(t.lower, window), argument(t.upper, window)}, part,
-                                  window.rate);
+        addRise<4, Enclosure>(sum, spline_.rise_, {argument(t.lower, window), argument(t.upper, window)}, part,
+                              window.rate);
     }
     return sum;
+}
+
+std::unique_ptr<PiecewiseMotion> ViaPointSpline::joint(Eigen::Index index) const
+{
+    return std::make_unique<Joint>(*this, index);
 }
 
 ViaPointSpline ViaPointSpline::stretched(double factor) const
@@ -141,7 +155,7 @@ OrFailure<ViaPointSpline> ViaPointSpline::scaledTo(const std::vector<MotionLimit
         const MotionLimits &own = limits[static_cast<std::size_t>(i)];
         if (!own.valid())
             return TrajectoryFailure::BadLimit;
-        factor = std::max(factor, stretchFor(motionPeaks(joint(i)), own));
+        factor = std::max(factor, stretchFor(motionPeaks(*joint(i)), own));
     }
     // Nothing moves: no time is too short.
     return factor > 0.0 ? stretched(factor * peakSlack) : *this;

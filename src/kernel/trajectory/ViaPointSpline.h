@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
-#include "kernel/trajectory/MotionPeaks.h"
+#include "kernel/trajectory/JointTrajectory.h"
 #include "kernel/trajectory/ViaPointTrajectory.h"
 
 namespace narrows
@@ -15,7 +13,7 @@ namespace narrows
 ///     (1 - h_j) S_(j-1) + (h_j - k_j) S_j + k_j S_(j+1) = theta_j,
 /// one tridiagonal matrix for all joints. Overlap 0 is the polyline, with a stop at every via; the motion depends
 /// continuously on the overlap. With the paper's terms, which all begin at 0, errors grow by K / (1 - K) per via.
-class ViaPointSpline
+class ViaPointSpline : public JointTrajectory
 {
 public:
     /// \param points one column per point, one row per joint: start, vias, goal
@@ -30,30 +28,14 @@ public:
     using State = Eigen::Matrix<double, Eigen::Dynamic, Order + 1>;
     template <int Order>
     void at(double t, State<Order> &state) const;
+    void at(double t, States &state) const override { at<3>(t, state); }
 
-    Eigen::Index joints() const { return levels_.rows(); }
-    double duration() const { return times_.back(); }
+    Eigen::Index joints() const override { return levels_.rows(); }
+    double duration() const override { return times_.back(); }
+    std::unique_ptr<PiecewiseMotion> joint(Eigen::Index index) const override;
     const std::vector<double> &times() const { return times_; }
     /// S_k, one column each, from the start to the goal.
     const Eigen::MatrixXd &levels() const { return levels_; }
-
-    /// One joint's motion. It refers to this spline.
-    class Joint : public PiecewiseMotion
-    {
-    public:
-        std::vector<double> knots() const override { return knots_; }
-        Series<4, Enclosure> over(std::size_t piece, const Enclosure &t) const override;
-
-    private:
-        friend class ViaPointSpline;
-        Joint(const ViaPointSpline &spline, Eigen::Index index);
-
-        const ViaPointSpline &spline_;
-        Eigen::Index index_;
-        std::vector<double> knots_;  ///< where windows begin and end
-    };
-
-    Joint joint(Eigen::Index index) const { return {*this, index}; }
 
     /// The same way in `factor` times the time. \param factor > 0
     ViaPointSpline stretched(double factor) const;
@@ -63,6 +45,7 @@ public:
     OrFailure<ViaPointSpline> scaledTo(const std::vector<MotionLimits> &limits) const;
 
 private:
+    class Joint;
     struct Window
     {
         double from, to, rate;

@@ -22,7 +22,7 @@ double radiusOf(const FamilyValues &values)
     return values.count("radius") != 0 ? values.at("radius") : 0.58;
 }
 
-CircleScene drawCorridor(const FamilyValues &values)
+ArmScene drawCorridor(const FamilyValues &values)
 {
     // Constants, not calls of atan2: the same on every machine, to the last bit, because the clearance is what they
     // leave.
@@ -30,9 +30,10 @@ CircleScene drawCorridor(const FamilyValues &values)
     constexpr double atanTwo = 1.1071487177940904;
     constexpr double diagonal = M_PI / 4.0;
     const double radius = rounded(radiusOf(values), 15);
-    CircleScene scene;
+    ArmScene scene;
     scene.lengths = {std::sqrt(5.0), std::sqrt(2.0), std::sqrt(0.5)};
-    scene.circles = {{{2.4, 2.5}, radius}, {{1.6, 3.5}, radius}};
+    addObstacle(scene, Circle{{2.4, 2.5}, radius});
+    addObstacle(scene, Circle{{1.6, 3.5}, radius});
     scene.start = Eigen::Vector3d(atanHalf, -diagonal, diagonal);
     scene.goal = Eigen::Vector3d(atanTwo, diagonal, diagonal);
     return scene;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "scenario/FaultList.h"
 #include "scenario/NumberText.h"
@@ -35,8 +36,28 @@ const Item &find(const std::vector<Item> &items, const std::string &name, const 
 }
 }  // namespace
 
+std::string FamilyParameter::range() const
+{
+    switch (kind)
+    {
+        case Kind::Flag:
+            return "true, false";
+        case Kind::Name:
+            return fmt::format("{}", fmt::join(names, ", "));
+        default:
+            return fmt::format("{} to {}", lowest, highest);
+    }
+}
+
 double FamilyParameter::read(const std::string &text) const
 {
+    if (kind == Kind::Name)
+    {
+        const auto found = std::find(names.begin(), names.end(), text);
+        if (found != names.end())
+            return static_cast<double>(found - names.begin());
+        throw std::invalid_argument(fmt::format("must be one of {}, not '{}'", range(), text));
+    }
     if (kind == Kind::Flag)
     {
         if (text == "true" || text == "false")
@@ -55,6 +76,8 @@ std::string FamilyParameter::write(double value) const
 {
     if (kind == Kind::Flag)
         return value != 0.0 ? "true" : "false";
+    if (kind == Kind::Name)
+        return names.at(static_cast<std::size_t>(value));
     return fmt::format("{}", value);
 }
 
@@ -97,7 +120,10 @@ std::string toYaml(const Scene &scene, const std::string &name, const std::strin
 
 const std::vector<Family> &families()
 {
-    static const std::vector<Family> all{circlesFamily(), corridorFamily(), pipesFamily(), slabFamily(), tubeFamily()};
+    static const std::vector<Family> all{
+        bentTubeFamily(), blindFamily(), boxesFamily(),    circlesFamily(), clutterFamily(), corridorFamily(),
+        cutFamily(),      ductFamily(),  gridMazeFamily(), holesFamily(),   hornFamily(),    ladderFamily(),
+        mazeFamily(),     mixedFamily(), pipesFamily(),    slabFamily(),    slotFamily(),    tubeFamily()};
     return all;
 }
 

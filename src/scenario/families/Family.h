@@ -8,19 +8,22 @@
 #include <variant>
 #include <vector>
 
-#include "scenario/families/CircleScene.h"
+#include "scenario/families/ArmScene.h"
+#include "scenario/families/ChainScene.h"
 #include "scenario/families/PipeScene.h"
+#include "scenario/families/SpaceScene.h"
 
 namespace narrows
 {
-/// One parameter of a family. All values are kept as numbers; a flag is 0 or 1.
+/// One parameter of a family. All values are kept as numbers; a flag is 0 or 1, a name its place in `names`.
 struct FamilyParameter
 {
     enum class Kind
     {
         Whole,
         Real,
-        Flag
+        Flag,
+        Name
     };
 
     std::string name;
@@ -29,7 +32,10 @@ struct FamilyParameter
     double lowest;
     double highest;
     std::string meaning;
+    std::vector<std::string> names = {};  ///< that may be given, in place of lowest and highest
 
+    /// "0 to 1", "true, false" or the names.
+    std::string range() const;
     /// What a text says.
     /// \throws std::invalid_argument telling what it must be
     double read(const std::string &text) const;
@@ -41,7 +47,7 @@ struct FamilyParameter
 using FamilyValues = std::map<std::string, double>;
 
 /// What families draw.
-using Scene = std::variant<CircleScene, PipeScene>;
+using Scene = std::variant<ArmScene, PipeScene, ChainScene<2>, ChainScene<3>, SpaceScene>;
 
 /// The scenario file of a scene.
 std::string toYaml(const Scene &scene, const std::string &name, const std::string &source);

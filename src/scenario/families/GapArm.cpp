@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scenario/families/CircleScene.h"
+#include "scenario/families/ArmScene.h"
 
 namespace narrows
 {

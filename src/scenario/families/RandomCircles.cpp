@@ -33,7 +33,7 @@ Eigen::Vector2d drawCenter(RandomNumbers &random, double discRadius)
 
 /// The goal's angles become those nearest to the start's, a full turn more or less, so that the straight line between
 /// the two is also the shortest way.
-void unwind(CircleScene &scene)
+void unwind(ArmScene &scene)
 {
     for (Eigen::Index i = 0; i < scene.goal.size(); ++i)
     {
@@ -42,17 +42,17 @@ void unwind(CircleScene &scene)
     }
 }
 
-CircleScene drawOnce(RandomNumbers &random, const FamilyValues &values)
+ArmScene drawOnce(RandomNumbers &random, const FamilyValues &values)
 {
     const int links = static_cast<int>(values.at("links"));
-    CircleScene scene;
+    ArmScene scene;
     scene.lengths = cut({values.at("reach")}, links);
     const int count =
         random.whole(static_cast<int>(values.at("min_circles")), static_cast<int>(values.at("max_circles")));
     for (int i = 0; i < count; ++i)
     {
         const double radius = rounded(random.uniform(values.at("min_radius"), values.at("max_radius")), 6);
-        scene.circles.push_back({drawCenter(random, values.at("disc")), radius});
+        addObstacle(scene, Circle{drawCenter(random, values.at("disc")), radius});
     }
     scene.start = drawAngles(random, links);
     scene.goal = drawAngles(random, links);
@@ -60,14 +60,14 @@ CircleScene drawOnce(RandomNumbers &random, const FamilyValues &values)
     return scene;
 }
 
-CircleScene drawCircles(const FamilyValues &values)
+ArmScene drawCircles(const FamilyValues &values)
 {
     if (values.at("min_circles") > values.at("max_circles") || values.at("min_radius") > values.at("max_radius"))
         throw std::invalid_argument("a minimum is larger than its maximum");
     RandomNumbers random(static_cast<std::uint64_t>(values.at("seed")));
     for (int i = 0; i < mostDraws; ++i)
     {
-        const CircleScene scene = drawOnce(random, values);
+        const ArmScene scene = drawOnce(random, values);
         if (clearance(scene, scene.start) <= values.at("clearance") ||
             clearance(scene, scene.goal) <= values.at("clearance"))
             continue;

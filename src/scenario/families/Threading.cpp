@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // slab and tube: an arm of two carriers and one or more rods. At the goal the rods lie on one line and each in a gap
-// between two circles. The carriers can draw them back along that line, which is the witness; then the arm bends away
+// between two obstacles. The carriers can draw them back along that line, which is the witness; then the arm bends away
 // to the start. One gap leaves the motions near the line all but one of their dimensions (a slab in joint space),
 // several gaps take more of them (a tube).
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "scenario/families/Families.h"
 #include "scenario/families/GapArm.h"
+#include "scenario/families/GapShape.h"
 #include "scenario/families/RandomNumbers.h"
 
 namespace narrows
@@ -16,7 +17,7 @@ namespace
 {
 constexpr int mostDraws = 2000;
 constexpr double leastClearance = 0.04;  ///< of the carriers, the withdrawn arm and the start
-constexpr double headroom = 0.05;        ///< between the withdrawn tip and the circles of the first gap
+constexpr double headroom = 0.05;        ///< between the withdrawn tip and the obstacles of the first gap
 
 using Eigen::Vector2d;
 
@@ -29,6 +30,7 @@ public:
         halfWidth_(values.at("half_width")),
         depth_(values.at("depth")),
         symmetric_(values.at("symmetric") != 0.0),
+        shape_(gapShapeOf(values)),
         random_(static_cast<std::uint64_t>(values.at("seed")))
     {
         if (links_ < GapArm::carriers + gaps)
@@ -36,7 +38,7 @@ public:
                                         " to thread " + (gaps == 1 ? "a gap" : std::to_string(gaps) + " gaps"));
     }
 
-    CircleScene draw()
+    ArmScene draw()
     {
         constexpr int startsPerGoal = 20;
         for (int i = 0; i < mostDraws; ++i)
@@ -53,8 +55,8 @@ public:
     }
 
 private:
-    /// The rods, the circles' radii, how far the rods must be drawn back to be out of the first gap, and carriers that
-    /// can do so.
+    /// The rods, the obstacles' radii, how far the rods must be drawn back to be out of the first gap, and carriers
+    /// that can do so.
     void drawLengths()
     {
         rods_.assign(GapArm::carriers, 0.0);
@@ -94,15 +96,15 @@ private:
             return false;
         scene_.lengths = arm.lengths();
         scene_.goal = arm.placed();
-        placeCircles(arm);
+        placeObstacles(arm);
         return true;
     }
 
-    void placeCircles(const GapArm &arm)
+    void placeObstacles(const GapArm &arm)
     {
         const Vector2d along = arm.along();
         const Vector2d across(-along.y(), along.x());
-        scene_.circles.clear();
+        scene_.obstacles.clear();
         double begin = 0.0;
         for (int i = GapArm::carriers; i < arm.rodCount(); ++i)
         {
@@ -110,18 +112,19 @@ private:
             begin += arm.rod(i);
             for (const int side : {1, -1})
             {
-                const double radius = radii_[scene_.circles.size()];
-                const Vector2d center = arm.begin() + throat * along + side * (radius + halfWidth_) * across;
-                scene_.circles.push_back({{rounded(center.x(), 12), rounded(center.y(), 12)}, radius});
+                const double radius = radii_[scene_.obstacles.size()];
+                const Vector2d outwards = side * across;
+                const Vector2d touch = arm.begin() + throat * along + halfWidth_ * outwards;
+                addObstacle(scene_, placeAtGap(shape_, touch, outwards, radius, random_));
             }
         }
     }
 
-    /// Can the carriers draw the rods back without coming near the circles themselves?
+    /// Can the carriers draw the rods back without coming near the obstacles themselves?
     bool canWithdraw(const GapArm &arm) const
     {
         constexpr int looks = 100;
-        CircleScene carriers = scene_;
+        ArmScene carriers = scene_;
         carriers.lengths.resize(static_cast<std::size_t>(arm.carrierLinks()));
         for (int i = 0; i <= looks; ++i)
         {
@@ -163,12 +166,13 @@ private:
     double halfWidth_;
     double depth_;
     bool symmetric_;
+    GapShape shape_;
     RandomNumbers random_;
     std::vector<double> rods_;   ///< lengths of the carriers, then of the rods
-    std::vector<double> radii_;  ///< of the circles
+    std::vector<double> radii_;  ///< of the obstacles
     double wayBack_ = 0.0;       ///< from the goal until the rods are out of the first gap
     double end_ = 0.0;           ///< of the carriers at the goal, along the rods' line
-    CircleScene scene_;
+    ArmScene scene_;
 };
 
 std::vector<FamilyParameter> parameters(int links)
@@ -180,13 +184,14 @@ std::vector<FamilyParameter> parameters(int links)
         {"depth", Kind::Real, 0.5, 0.05, 0.9, "how far every rod is through its gap, in its own lengths"},
         {"symmetric", Kind::Flag, 0.0, 0.0, 1.0,
          "equal carriers, and the rods' line passes through the base: drawing back is straight in joint space"},
-        {"seed", Kind::Whole, 1, 0, 1e9, "of the random numbers: lengths, circles, directions, start"}};
+        gapShapeParameter(),
+        {"seed", Kind::Whole, 1, 0, 1e9, "of the random numbers: lengths, obstacles, directions, start"}};
 }
 }  // namespace
 
 Family slabFamily()
 {
-    return {"slab", "links thread a gap between two circles", parameters(3),
+    return {"slab", "links thread a gap between two obstacles", parameters(3),
             [](const FamilyValues &values)
             {
                 return Threading(values, 1).draw();

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Figures as PDF and tables as LaTeX (booktabs), from the data that the page shows."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+MANY = 40  # lines of a legend or axis that still fit on one page
+SPECIAL = {"_": r"\_", "%": r"\%", "&": r"\&", "#": r"\#", "$": r"\$", "{": r"\{", "}": r"\}", "*": "$^*$"}
+
+
+def escaped(text):
+    return "".join(SPECIAL.get(letter, letter) for letter in text)
+
+
+def brief(value, factor=1.0):
+    return "--" if value is None else f"{float(f'{factor * value:.3g}'):.12g}"
+
+
+def table(header, rows):
+    """The first column is text, the others are numbers."""
+    lines = [
+        r"\begin{tabular}{l" + "r" * (len(header) - 1) + "}",
+        r"\toprule",
+        " & ".join(header) + r" \\",
+        r"\midrule",
+    ]
+    lines += [" & ".join(row) + r" \\" for row in rows]
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])
+
+
+def summary(rows):
+    header = ["planner", "solved", r"95\,\% interval", "CPU (ms)", "evaluations", "length (rad)", "clearance"]
+    return table(
+        header,
+        [
+            [
+                escaped(row["planner"]),
+                f"{row['solved']}/{row['runs']}",
+                f"[{100 * row['low']:.1f}, {100 * row['high']:.1f}]",
+                brief(row["cpu"], 1e3),
+                brief(row["evaluations"]),
+                brief(row["length"]),
+                brief(row["clearance"]),
+            ]
+            for row in rows
+        ],
+    )
+
+
+def contests(rows):
+    header = ["group", "model", "solved", "CPU (ms)", "sampling", "solved", "CPU (ms)", "$p$ (Holm)", "ahead"]
+    lines = []
+    for row in rows:
+        sides = []
+        for side in ("ours", "theirs"):
+            sides += [escaped(row[side]), rf"{100 * row[side + '_solved']:.1f}\,\%", brief(row[side + "_cpu"], 1e3)]
+        winner = {"ours": "model", "theirs": "sampling"}.get(row["winner"], "undecided")
+        lines.append([escaped(row["group"]), *sides, brief(row["adjusted"]), winner])
+    return table(header, lines)
+
+
+def draw_steps(figure, panel):
+    page, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+    for series in panel["series"]:
+        if series["x"]:
+            x, y = [*series["x"], max(panel["end"], series["x"][-1])], [*series["y"], series["y"][-1]]
+            style = {"linewidth": 2.0} if series["ours"] else {"linewidth": 1.0, "linestyle": "--"}
+            axes.step([x[0], *x], [0.0, *y], where="post", label=series["name"], **style)
+    axes.set(xscale="log", ylim=(0, 1.02), xlabel=figure["x"], ylabel=figure["y"])
+    if 0 < len(panel["series"]) <= MANY:
+        axes.legend(fontsize=6, ncols=1 + len(panel["series"]) // 14)
+    return page
+
+
+def draw_intervals(figure, panel):
+    rows = sorted(panel["rows"], key=lambda row: row["share"])
+    page, axes = plt.subplots(figsize=(6.4, 1.0 + 0.22 * len(rows)), layout="constrained")
+    for place, row in enumerate(rows):
+        axes.plot([row["low"], row["high"]], [place, place], color="tab:red" if row["ours"] else "tab:blue")
+        axes.plot(row["share"], place, "o", color="tab:red" if row["ours"] else "tab:blue", markersize=4)
+    axes.set_yticks(range(len(rows)), [row["planner"] for row in rows], fontsize=7)
+    axes.set(xlim=(-0.02, 1.02), xlabel=figure["x"])
+    return page
+
+
+DRAW = {"steps": draw_steps, "intervals": draw_intervals}
+
+
+def write_paper(data, folder):
+    """\\param data what the page is told  \\return the files that were written"""
+    folder.mkdir(parents=True, exist_ok=True)
+    texts = {"all_groups.tex": summary(data["totals"]), "contests.tex": contests(data["contests"])}
+    for group in dict.fromkeys(row["group"] for row in data["groups"]):
+        texts[f"group_{group}.tex"] = summary([row for row in data["groups"] if row["group"] == group])
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    written = [folder / name for name in texts]
+    for figure in data["figures"]:
+        if figure["kind"] in DRAW:
+            page = DRAW[figure["kind"]](figure, figure["panels"][0])
+            written.append(folder / f"{figure['id']}.pdf")
+            page.savefig(written[-1], metadata={"CreationDate": None})
+            plt.close(page)
+    return written

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where planners stop solving: success over the width of a passage and the number of links, as sweeps name them."""
+
+import re
+import warnings
+
+import numpy as np
+import pandas
+from inference import trends
+from statsmodels.tools.sm_exceptions import ConvergenceWarning
+
+WIDTHS = ("half_width", "clearance")  # what families call the width of their passage (half of it)
+SWEPT = re.compile(r"_(?P<name>" + "|".join(WIDTHS) + r")(?P<width>[0-9.]+(?:e[-+]?[0-9]+)?)(?=_|$)")
+LINKS = re.compile(r"_links(?P<links>[0-9]+)(?=_|$)")
+
+
+def placed(runs):
+    """The runs whose group names a swept width, with `family`, `half_width` and `links` (0 where these are not swept)."""
+    groups = pandas.Series(runs["group"].unique())
+    swept, links = groups.str.extract(SWEPT), groups.str.extract(LINKS)
+    table = pandas.DataFrame(
+        {
+            "group": groups,
+            "half_width": pandas.to_numeric(swept["width"]),
+            "links": pandas.to_numeric(links["links"]).fillna(0).astype(int),
+            "family": [re.sub(LINKS, "", re.sub(SWEPT, "", group)) for group in groups],
+        }
+    ).dropna()
+    return runs.merge(table, on="group")
+
+
+def share(runs):
+    return None if len(runs) == 0 else round(float(runs["solved"].mean()), 4)
+
+
+def line_of(runs, rows):
+    """The half widths at which half of the runs are solved, with 95 % bands, one per number of links; or why not."""
+    # What is warned of comes back as a failure with a name.
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore", ConvergenceWarning)
+        phase = trends.phase_line(runs["solved"], runs["half_width"], runs["links"], runs["instance"])
+    if phase.failure:
+        return [], phase.failure
+    with np.errstate(over="ignore", invalid="ignore"):
+        values = np.array(phase.half_width(rows)).T
+    if not np.all(np.isfinite(values)) or not np.all(values > 0.0):
+        return [], "separated"
+    return [[float(f"{value:.4g}") for value in row] for row in values], ""
+
+
+def panel(name, runs):
+    """One planner in one family; None where less than two widths were tried."""
+    columns, rows = sorted(runs["half_width"].unique()), sorted(int(links) for links in runs["links"].unique())
+    if len(columns) < 2:
+        return None
+    cell = lambda links, width: runs[(runs["links"] == links) & (runs["half_width"] == width)]
+    # With one number of links its coefficient has nothing to go by.
+    line, failure = line_of(runs, rows) if len(rows) > 1 else ([], "one_row")
+    return {
+        "name": name,
+        "rows": rows,
+        "columns": columns,
+        "shares": [[share(cell(links, width)) for width in columns] for links in rows],
+        "runs": [[len(cell(links, width)) for width in columns] for links in rows],
+        "line": line,
+        "failure": failure,
+    }
+
+
+def panels(runs):
+    """A panel per family and planner, the families in the order of the runs."""
+    made = [
+        panel(f"{family}: {planner}", part)
+        for (family, planner), part in placed(runs).groupby(["family", "planner"], sort=False)
+    ]
+    return [one for one in made if one is not None]

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kernel/chain/LeaderPath.h"
+
+namespace narrows
+{
+/// What is asked of the nodes of a path in one round of ChordRelaxation: weighted displacements, of which each node
+/// goes the mean. The first and the last node stay, and so does the entrance line.
+template <int D>
+class NodePushes
+{
+public:
+    using Point = Eigen::Matrix<double, D, 1>;
+
+    /// Begins a round. The path is referred to until the next one.
+    void reset(const LeaderPath<D> &path)
+    {
+        path_ = &path;
+        sums_.assign(path.nodes().size(), Point::Zero());
+        weights_.assign(path.nodes().size(), 0.0);
+        folds_.assign(path.nodes().size(), 0);
+    }
+
+    /// Asks the nodes around P(t) to take it along.
+    void push(double t, const Point &way, double weight)
+    {
+        if (t <= 0.0)
+            return;
+        const int i = path_->segmentBefore(t);
+        const std::vector<double> &arcs = path_->arcs();
+        const double share = (t - arcs[i]) / (arcs[i + 1] - arcs[i]);
+        add(i, way, weight * (1.0 - share));
+        add(i + 1, way, weight * share);
+    }
+
+    /// Asks for `way` at a fraction (0: rear, 1: front) of the chord from P(place) to P(s).
+    void pushChord(double s, double place, double fraction, const Point &way, double weight)
+    {
+        const double front = s < path_->length() ? fraction : 0.0;
+        const double rear = place > 0.0 ? 1.0 - fraction : 0.0;
+        const double square = front * front + rear * rear;
+        if (square < 1e-4)  // of the ends that can move none is near
+            return;
+        push(s, front / square * way, weight * front);
+        push(place, rear / square * way, weight * rear);
+    }
+
+    /// Asks for a straighter path around P(t).
+    void straighten(double t)
+    {
+        if (t <= 0.0)
+            return;
+        const int i = path_->segmentBefore(t);
+        folds_[i] = folds_[i + 1] = 1;
+    }
+
+    /// \param factor of the mean displacement, which is then cut to `longest`
+    /// \param smoothing share of the way to the middle of its neighbours
+    void apply(double factor, double longest, double smoothing, PointPath<D> &nodes) const
+    {
+        PointPath<D> moved = nodes;
+        for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
+        {
+            Point way = weights_[i] > 0.0 ? Point(factor / weights_[i] * sums_[i]) : Point(Point::Zero());
+            const double length = way.norm();
+            if (length > longest)
+                way *= longest / length;
+            const double share = folds_[i] ? 0.5 : smoothing;
+            moved[i] += way + share * (0.5 * (nodes[i - 1] + nodes[i + 1]) - nodes[i]);
+        }
+        nodes = std::move(moved);
+    }
+
+private:
+    void add(int node, const Point &way, double weight)
+    {
+        sums_[node] += weight * way;
+        weights_[node] += weight;
+    }
+
+    const LeaderPath<D> *path_ = nullptr;
+    PointPath<D> sums_;
+    std::vector<double> weights_;
+    std::vector<char> folds_;
+};
+}  // namespace narrows

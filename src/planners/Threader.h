@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/PlanarModel.h"
+#include "kernel/Repulsion.h"
+#include "kernel/threading/LowDiscrepancy.h"
+#include "planners/HPPM.h"
+#include "planners/ModelPlanner.h"
+#include "planners/ThreadingSearch.h"
+
+namespace narrows
+{
+/**
+   @anchor Threader
+   @par Short description
+   Two trees that thread gaps: certified bidirectional trees that go through narrow places along the configurations in
+   which links cross gaps in the middle, searched in joint space and in nested slices of it, with some homotopy curves
+   in between.
+
+   Members, one after the other in rounds that grow: the straight motions; trees in all of joint space; trees in slices
+   of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm; curves
+   of HPPM. Trees are kept from one member to the next. The whole of joint space is among them, so that the planner is
+   probabilistically complete. The same seed gives the same answer.
+   @par External documentation
+   docs/threader.md
+
+   Parameters: `straight`, `full`, `slices`, `traces` switch members on and off, `centring` and `bending` the two ways
+   on from a blocked step; `range` longest edge in joint space (0: several lengths in turn); `slice_range`, `slice_box`,
+   `slice_dimensions`; `gap_width` widest gap that is threaded, as a part of the arm's reach; `rounds` before giving up.
+*/
+class Threader : public ModelPlanner
+{
+public:
+    /// \param planar robot and obstacles, where gaps are looked for; null for robots in space: no gaps
+    /// \param repulsion makes the poles for the curves, when the first is followed
+    Threader(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> planar,
+             std::function<std::shared_ptr<const RepulsionModel>()> repulsion);
+
+    /// Besides OMPL's usual statuses: ABORT when all rounds have been made in vain (reason() is `rounds`) or every
+    /// member is switched off (`no_member`). A later call goes on where the last one stopped.
+    ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
+    using ob::Planner::solve;
+    void clear() override;
+    void getPlannerData(ob::PlannerData &data) const override;
+
+    /// \throws std::invalid_argument from every setter if the value is out of range.
+    void setStraight(bool on) { straight_ = on; }
+    bool getStraight() const { return straight_; }
+    void setFull(bool on) { full_ = on; }
+    bool getFull() const { return full_; }
+    void setSlices(bool on) { slices_ = on; }
+    bool getSlices() const { return slices_; }
+    void setCentring(bool on) { centring_ = on; }
+    bool getCentring() const { return centring_; }
+    void setBending(bool on) { bending_ = on; }
+    bool getBending() const { return bending_; }
+    void setTraces(bool on) { traces_ = on; }
+    bool getTraces() const { return traces_; }
+    void setRange(double range);  ///< longest edge in all of joint space; 0: a sequence of lengths
+    double getRange() const { return range_; }
+    void setSliceRange(double range);  ///< longest edge in slices; 0: by the number of joints
+    double getSliceRange() const { return sliceRange_; }
+    void setSliceBox(double box);  ///< half the side of what is sampled in slices, radians per root of joints
+    double getSliceBox() const { return sliceBox_; }
+    void setSliceDimensions(int dimensions);  ///< of the largest slice
+    int getSliceDimensions() const { return sliceDimensions_; }
+    void setGapWidth(double share);
+    double getGapWidth() const { return gapWidth_; }
+    void setRounds(int rounds);
+    int getRounds() const { return rounds_; }
+
+private:
+    /// One entry of the schedule.
+    struct Member
+    {
+        enum class Kind
+        {
+            Full,
+            Slice,
+            Traces
+        };
+        Kind kind;
+        int dimension;                          ///< of a slice
+        std::optional<LowDiscrepancy> samples;  ///< of a slice, from its first turn on
+    };
+
+    void declareParameters();
+    ob::PlannerStatus begin(const ob::PlannerTerminationCondition &ptc);
+    void makeMembers();
+    bool goStraight();
+    /// One sample of a member. \return whether start and goal are joined
+    bool growFull(const ob::PlannerTerminationCondition &ptc);
+    bool growSlice(Member &member, const ob::PlannerTerminationCondition &ptc);
+    bool trace(const ob::PlannerTerminationCondition &ptc);
+    /// A member's turn. \return whether start and goal are joined
+    bool run(Member &member, const ob::PlannerTerminationCondition &ptc);
+    /// It is the next member's turn; with the last one's, a round ends.
+    void passOn();
+    ob::PlannerStatus succeed(const std::string &member);
+    void measure();
+    /// A random point of the unit cube.
+    Eigen::VectorXd randomPoint(Eigen::Index dimension);
+    bool solvedBefore() const { return pdef_->hasExactSolution(); }
+
+    std::shared_ptr<const PlanarModel> planar_;
+    std::function<std::shared_ptr<const RepulsionModel>()> repulsion_;
+    const ArmStateSpace *space_;
+    JointChart chart_;
+
+    bool straight_ = true, full_ = true, slices_ = true, centring_ = true, bending_ = true, traces_ = true;
+    double range_ = 0.0, sliceRange_ = 0.0, sliceBox_ = 3.0, gapWidth_ = 0.05;
+    int sliceDimensions_ = 5, rounds_ = 1000;
+
+    ompl::RNG rng_;
+    std::unique_ptr<ThreadingSearch> search_;
+    std::vector<Member> members_;
+    std::size_t member_ = 0;  ///< whose turn it is
+    int round_ = 0, used_ = 0, fullSamples_ = 0;
+    std::shared_ptr<HPPM> curves_;
+    int tries_ = 0;
+};
+}  // namespace narrows

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/ThreadingSearch.h"
+
+#include <algorithm>
+
+namespace narrows
+{
+namespace
+{
+constexpr double firstSlide = 0.1;  ///< radians
+
+double *valuesOf(ob::State *state)
+{
+    return state->as<ob::RealVectorStateSpace::StateType>()->values;
+}
+}  // namespace
+
+ThreadingSearch::ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart,
+                                 std::shared_ptr<const MidGap> midGap, std::unique_ptr<DeepestOverlap> collision)
+  : si_(si),
+    chart_(chart),
+    midGap_(std::move(midGap)),
+    collision_(std::move(collision)),
+    slices_{Eigen::VectorXd::Zero(chart.dimension()), Eigen::MatrixXd(chart.dimension(), 0)},
+    trees_{ThreadingTree(chart.periods(), 0), ThreadingTree(chart.periods(), 0)},
+    slideStep_{firstSlide, firstSlide},
+    from_(si),
+    to_(si)
+{
+    if (midGap_ && !midGap_->gaps().empty())
+        centredStep_.emplace(*midGap_);
+}
+
+const Eigen::VectorXd &ThreadingSearch::root(int side, int number) const
+{
+    return tree(side)[rootsOf(side)[static_cast<std::size_t>(number)].node].x;
+}
+
+void ThreadingSearch::setSlices(AffineSlices slices)
+{
+    slices_ = std::move(slices);
+    for (ThreadingTree &tree : trees_)
+    {
+        ThreadingTree fresh(chart_.periods(), slices_.dimensions());
+        for (int node = 0; node < tree.size(); ++node)
+            fresh.add(tree[node].x, tree[node].parent, tree[node].level, coordinates(tree[node].x), true);
+        tree = std::move(fresh);
+    }
+}
+
+Eigen::VectorXd ThreadingSearch::coordinates(const Eigen::VectorXd &x) const
+{
+    return slices_.coordinates(x);
+}
+
+void ThreadingSearch::addRoot(int side, const ob::State *state)
+{
+    Eigen::VectorXd x;
+    chart_.read(state, x);
+    std::vector<Root> &roots = roots_[static_cast<std::size_t>(side)];
+    const bool first = roots.empty();
+    // The first goal takes the turns that make it nearest to the first start: slices hold the line between them.
+    if (side == 1 && first && this->roots(0) > 0)
+    {
+        chart_.shortWay(root(0, 0), x, direction_);
+        x = root(0, 0) + direction_;
+    }
+    const int level = first ? 1 : static_cast<int>(chart_.dimension());
+    const int number = static_cast<int>(roots.size());
+    roots.push_back({ob::ScopedState<>(si_), treeOf(side).add(x, -1 - number, level, coordinates(x), true)});
+    si_->copyState(roots.back().state.get(), state);
+}
+
+void ThreadingSearch::write(int side, int node, ob::State *state) const
+{
+    const ThreadingTree::Node &it = tree(side)[node];
+    if (it.parent < 0)
+        si_->copyState(state, rootsOf(side)[static_cast<std::size_t>(-1 - it.parent)].state.get());
+    else
+        chart_.write(it.x, valuesOf(state));
+}
+
+int ThreadingSearch::nearest(int side, const Stride &stride, const Eigen::VectorXd &x) const
+{
+    if (stride.dimension == 0)
+        return tree(side).nearest(x);
+    return tree(side).nearestInSlice(slices_.basis.leftCols(stride.dimension).transpose() * (x - slices_.origin));
+}
+
+bool ThreadingSearch::goStraight(int start, int goal)
+{
+    const Root &from = rootsOf(0)[static_cast<std::size_t>(start)], &to = rootsOf(1)[static_cast<std::size_t>(goal)];
+    if (!si_->checkMotion(from.state.get(), to.state.get()))
+        return false;
+    meeting_ = {from.node, to.node};
+    return true;
+}
+
+bool ThreadingSearch::grow(const Stride &stride, const Eigen::VectorXd &sample, ompl::RNG &random,
+                           const ob::PlannerTerminationCondition &ptc)
+{
+    ++counts_.samples;
+    const int side = turn_;
+    turn_ = 1 - side;
+    const int nearestNode = nearest(side, stride, sample);
+    Way way{side, nearestNode, -1, sample, stride};
+    while (advance(way, random) == Progress::Advanced && way.sliding && !ptc)
+        ;
+    listLast(way);
+    if (way.node == nearestNode)
+        return false;
+    const ThreadingTree::Node &reached = tree(side)[way.node];
+    Stride back = stride;
+    if (reached.level > stride.dimension)
+        back.dimension = 0;  // it has left the slice
+    Way answer{turn_, nearest(turn_, back, reached.x), way.node, reached.x, back};
+    Progress progress = advance(answer, random);
+    while (progress == Progress::Advanced && !ptc)
+        progress = advance(answer, random);
+    listLast(answer);
+    if (progress != Progress::Reached)
+        return false;
+    meeting_ = side == 0 ? std::pair(way.node, answer.node) : std::pair(answer.node, way.node);
+    return true;
+}
+
+std::shared_ptr<og::PathGeometric> ThreadingSearch::path() const
+{
+    auto path = std::make_shared<og::PathGeometric>(si_);
+    std::vector<ob::State *> &states = path->getStates();
+    const auto append = [&](int side, int last)
+    {
+        for (int node = last; node >= 0; node = tree(side)[node].parent)
+        {
+            states.push_back(si_->allocState());
+            write(side, node, states.back());
+        }
+    };
+    append(0, meeting_.first);
+    std::reverse(states.begin(), states.end());
+    append(1, meeting_.second);
+    return path;
+}
+}  // namespace narrows

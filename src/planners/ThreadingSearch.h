@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "kernel/threading/AffineSlice.h"
+#include "kernel/threading/CentredStep.h"
+#include "kernel/threading/DeepestOverlap.h"
+#include "planners/JointChart.h"
+#include "planners/ThreadingTree.h"
+
+namespace narrows
+{
+/// Two trees, from starts (side 0) and from goals (side 1), that grow towards samples and each other (RRT-Connect), in
+/// joint space or in nested slices of it. Where a tree's straight step is blocked and links cross gaps, it goes on
+/// along the configurations in which they do so in the middle (CentredStep). Every edge is a motion that the validator
+/// has accepted.
+class ThreadingSearch
+{
+public:
+    /// How one sample is used.
+    struct Stride
+    {
+        int dimension = 0;  ///< of the slice that is searched; 0: all of joint space
+        double range = std::numeric_limits<double>::infinity();  ///< longest edge, > 0
+    };
+
+    struct Counts
+    {
+        std::uint64_t samples = 0;
+        std::uint64_t blocked = 0;  ///< straight steps that were not free
+        std::uint64_t centred = 0;  ///< centred steps that were
+        std::uint64_t refused = 0;  ///< and those that were not
+        std::uint64_t bent = 0;     ///< steps along an obstacle
+    };
+
+    /// \param midGap null: no centred steps
+    /// \param collision null: steps that end in obstacles are not bent along them
+    ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart, std::shared_ptr<const MidGap> midGap,
+                    std::unique_ptr<DeepestOverlap> collision);
+
+    void addStart(const ob::State *state) { addRoot(0, state); }
+    void addGoal(const ob::State *state) { addRoot(1, state); }
+    int roots(int side) const { return static_cast<int>(rootsOf(side).size()); }
+    /// The root's place in the chart.
+    const Eigen::VectorXd &root(int side, int number) const;
+
+    /// \param slices that are searched besides joint space, through the first roots of both trees, in the chart
+    void setSlices(AffineSlices slices);
+    const AffineSlices &slices() const { return slices_; }
+
+    /// Joins a start and a goal by the straight motion; false if it is not free.
+    bool goStraight(int start, int goal);
+
+    /// Grows one tree towards a sample, the other towards what that has led to; next time the trees change places.
+    /// \param sample in the chart, and in the slice \return whether the trees have met
+    bool grow(const Stride &stride, const Eigen::VectorXd &sample, ompl::RNG &random,
+              const ob::PlannerTerminationCondition &ptc);
+
+    /// Once they have met: from a start to a goal.
+    std::shared_ptr<og::PathGeometric> path() const;
+
+    const ThreadingTree &tree(int side) const { return trees_[static_cast<std::size_t>(side)]; }
+    /// The state of a node; of roots, exactly the one that was given.
+    void write(int side, int node, ob::State *state) const;
+    const Counts &counts() const { return counts_; }
+
+private:
+    enum class Progress
+    {
+        Trapped,
+        Advanced,
+        Reached
+    };
+    struct Root
+    {
+        ob::ScopedState<> state;
+        int node;
+    };
+    /// A tree on its way to a target.
+    struct Way
+    {
+        int side;
+        int node;    ///< where it has got
+        int target;  ///< node of the other tree; -1: a sample
+        Eigen::VectorXd goal;
+        Stride stride;
+        int unlisted = 0;      ///< nodes of a row that nearest() does not find yet
+        int slides = 0;        ///< centred steps so far
+        bool sliding = false;  ///< the last step was a centred one
+    };
+
+    void addRoot(int side, const ob::State *state);
+    ThreadingTree &treeOf(int side) { return trees_[static_cast<std::size_t>(side)]; }
+    const std::vector<Root> &rootsOf(int side) const { return roots_[static_cast<std::size_t>(side)]; }
+    Eigen::VectorXd coordinates(const Eigen::VectorXd &x) const;
+    int nearest(int side, const Stride &stride, const Eigen::VectorXd &x) const;
+    void measureWay(const Way &way);
+
+    Progress advance(Way &way, ompl::RNG &random);
+    Progress stepStraight(Way &way);
+    Progress slide(Way &way, ompl::RNG &random);
+    /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
+    bool isDeep(const Eigen::VectorXd &x);
+    Progress stepAlong(Way &way);
+    int levelOf(const Stride &stride) const;
+    bool chooseCrossings(ompl::RNG &random);
+    /// Where the crossings leave nothing of the way, the middle itself may be worth going to: of all gaps or of one.
+    bool recentre(Way &way, double least, ompl::RNG &random);
+    /// Along tangent_; or by 0, into the middle, if that is at least so far.
+    bool slideBy(Way &way, double length, double least);
+    double leastSlide() const;
+    /// Adds the end of a motion if it is free.
+    bool extend(Way &way, const Eigen::VectorXd &x, int level, bool listed);
+    void listLast(Way &way);
+
+    ob::SpaceInformationPtr si_;
+    JointChart chart_;
+    std::shared_ptr<const MidGap> midGap_;
+    std::optional<CentredStep> centredStep_;
+    std::unique_ptr<DeepestOverlap> collision_;
+    AffineSlices slices_;
+    std::array<ThreadingTree, 2> trees_;
+    std::array<std::vector<Root>, 2> roots_;
+    int turn_ = 0;
+    std::pair<int, int> meeting_{-1, -1};
+    Counts counts_;
+
+    // Memory that is kept between steps.
+    std::array<double, 2> slideStep_;
+    ob::ScopedState<> from_, to_;
+    std::vector<GapCrossing> crossings_;
+    std::vector<Eigen::Vector2d> points_;
+    Eigen::VectorXd direction_, step_, turning_, q_, tangent_, next_, gradient_, push_;
+    double depth_ = 0.0;
+};
+}  // namespace narrows

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planners/TightManeuvering.h"
+
+#include <stdexcept>
+
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+
+#include "planners/ChainRobot.h"
+#include "spaces/TipGoalRegion.h"
+
+namespace narrows
+{
+TightManeuvering::TightManeuvering(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> planar,
+                                   std::shared_ptr<const SpatialModel> spatial)
+  : ModelPlanner(si, "TightManeuvering"), planar_(std::move(planar)), spatial_(std::move(spatial))
+{
+    const std::string why = whyUnsupported(planar_.get(), spatial_.get());
+    if (!why.empty())
+        throw std::invalid_argument("tight is not for this robot: " + why);
+    specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    specs_.directed = true;
+    declareParameters();
+}
+
+std::string TightManeuvering::whyUnsupported(const PlanarModel *planar, const SpatialModel *spatial)
+{
+    if (planar == nullptr && spatial == nullptr)
+        return "tight maneuvering has to know robot and obstacles";
+    return planar != nullptr ? whyNoChain(*planar) : whyNoChain(*spatial);
+}
+
+ob::PlannerStatus TightManeuvering::solve(const ob::PlannerTerminationCondition &ptc)
+{
+    checkValidity();
+    if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
+        return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+    if (!takeStart())
+        return ob::PlannerStatus::INVALID_START;
+    if (pdef_->hasExactSolution())
+        return ob::PlannerStatus::EXACT_SOLUTION;
+    reason_ = "timeout";
+    if (ptc)
+        return ob::PlannerStatus::TIMEOUT;
+    if (runs_.empty())
+        if (const ob::PlannerStatus refusal = takeGoals(ptc); refusal != ob::PlannerStatus::UNKNOWN)
+            return refusal;
+    while (!ptc && current_ < runs_.size())
+        if (tryNext(ptc))
+        {
+            reason_.clear();
+            pdef_->addSolutionPath(std::make_shared<og::PathGeometric>(*path_), false, 0.0, getName());
+            return ob::PlannerStatus::EXACT_SOLUTION;
+        }
+    if (current_ < runs_.size())
+    {
+        reason_ = "timeout";
+        return ob::PlannerStatus::TIMEOUT;
+    }
+    return ob::PlannerStatus::ABORT;
+}
+
+bool TightManeuvering::takeStart()
+{
+    if (started_)
+        return true;
+    const ob::State *state = pis_.nextStart();
+    if (state == nullptr)
+        return false;
+    si_->getStateSpace()->as<ArmStateSpace>()->toConfiguration(state, start_);
+    started_ = true;
+    return true;
+}
+
+/// UNKNOWN if there is something to do.
+ob::PlannerStatus TightManeuvering::takeGoals(const ob::PlannerTerminationCondition &ptc)
+{
+    const ob::Goal *goal = pdef_->getGoal().get();
+    if (const auto *tip = dynamic_cast<const TipGoalRegion *>(goal))
+    {
+        if (tip->goal().link != planar_->arm.linkCount() - 1)
+            return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+        runs_.push_back(makeTightRun(si_, *planar_, settings_, start_, {tip->goal().point, std::nullopt}));
+        return ob::PlannerStatus::UNKNOWN;
+    }
+    if (const auto *tip = dynamic_cast<const SpatialTipGoalRegion *>(goal))
+    {
+        if (tip->goal().link != spatial_->arm.linkCount() - 1)
+            return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+        runs_.push_back(makeTightRun(si_, *spatial_, settings_, start_, {tip->goal().point, std::nullopt}));
+        return ob::PlannerStatus::UNKNOWN;
+    }
+    // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when it has none left.
+    for (const ob::State *state = pis_.nextGoal(ptc); state != nullptr; state = ptc ? nullptr : pis_.nextGoal())
+        addRun(state);
+    return runs_.empty() ? ob::PlannerStatus::INVALID_GOAL : ob::PlannerStatus::UNKNOWN;
+}
+
+void TightManeuvering::addRun(const ob::State *goal)
+{
+    Eigen::VectorXd values;
+    si_->getStateSpace()->as<ArmStateSpace>()->toConfiguration(goal, values);
+    if (planar_)
+    {
+        const auto *space = si_->getStateSpace()->as<PlanarArmStateSpace>();
+        const Eigen::Vector2d tip = space->tip(goal, planar_->arm.linkCount() - 1);
+        runs_.push_back(makeTightRun(si_, *planar_, settings_, start_, {tip, values}));
+        return;
+    }
+    const auto *space = si_->getStateSpace()->as<SpatialArmStateSpace>();
+    const Eigen::Vector3d tip = space->tip(goal, spatial_->arm.linkCount() - 1);
+    runs_.push_back(makeTightRun(si_, *spatial_, settings_, start_, {tip, values}));
+}
+
+bool TightManeuvering::tryNext(const ob::PlannerTerminationCondition &ptc)
+{
+    TightRun &run = *runs_[current_];
+    const std::string refusal = run.refusal();
+    if (!refusal.empty())
+    {
+        reason_ = refusal;
+        ++current_;
+        return false;
+    }
+    const TightOutcome outcome = run.next([&ptc] { return ptc(); });
+    measures_["tries"] += 1.0;
+    collectMeasures();
+    reason_ = outcome.failure;
+    keep(outcome);
+    if (run.isDone() && !outcome.failure.empty())
+        ++current_;
+    return outcome.failure.empty();
+}
+
+void TightManeuvering::keep(const TightOutcome &outcome)
+{
+    path_ = std::make_shared<og::PathGeometric>(si_);
+    ob::ScopedState<> state(si_);
+    for (const Eigen::VectorXd &values : outcome.states)
+    {
+        si_->getStateSpace()->as<ArmStateSpace>()->fromConfiguration(values, state.get());
+        path_->append(state.get());
+    }
+}
+
+void TightManeuvering::collectMeasures()
+{
+    for (const auto &[name, value] : runs_[current_]->measures())
+        measures_[name] = value;
+}
+
+void TightManeuvering::clear()
+{
+    ModelPlanner::clear();
+    started_ = false;
+    runs_.clear();
+    current_ = 0;
+    path_.reset();
+    reason_.clear();
+    measures_.clear();
+}
+
+void TightManeuvering::getPlannerData(ob::PlannerData &data) const
+{
+    ModelPlanner::getPlannerData(data);
+    if (!path_)
+        return;
+    const std::vector<ob::State *> &states = path_->getStates();
+    data.addStartVertex(ob::PlannerDataVertex(states.front()));
+    for (std::size_t i = 1; i < states.size(); ++i)
+    {
+        const ob::PlannerDataVertex vertex(states[i]);
+        if (i + 1 == states.size() && reason_.empty())
+            data.addGoalVertex(vertex);
+        data.addEdge(ob::PlannerDataVertex(states[i - 1]), vertex);
+    }
+}
+}  // namespace narrows

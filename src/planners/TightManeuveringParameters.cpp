@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <stdexcept>
+
+#include "planners/TightManeuvering.h"
+
+namespace narrows
+{
+namespace
+{
+void require(bool condition, const std::string &message)
+{
+    if (!condition)
+        throw std::invalid_argument(message);
+}
+
+void requireCount(int value, int most, const std::string &name)
+{
+    require(value >= 1 && value <= most, name + " must lie between 1 and " + std::to_string(most));
+}
+}  // namespace
+
+void TightManeuvering::declareParameters()
+{
+    using Self = TightManeuvering;
+    declareParam<std::string>("mode", this, &Self::setMode, &Self::getMode, "relax,middle,beams");
+    declareParam<std::string>("field", this, &Self::setField, &Self::getField, "corridor,laplace");
+    declareParam<double>("spacing", this, &Self::setSpacing, &Self::getSpacing, "0.:1.:1000.");
+    declareParam<int>("corridors", this, &Self::setCorridors, &Self::getCorridors, "1:1:64");
+    declareParam<int>("refinements", this, &Self::setRefinements, &Self::getRefinements, "0:1:4");
+    declareParam<int>("rounds", this, &Self::setRounds, &Self::getRounds, "1:100:100000");
+    declareParam<int>("couples", this, &Self::setCouples, &Self::getCouples, "1:1:4");
+}
+
+void TightManeuvering::setMode(const std::string &mode)
+{
+    require(mode == "relax" || mode == "middle" || mode == "beams",
+            "mode is relax, middle or beams, not \"" + mode + "\"");
+    settings_.mode = mode == "relax" ? TightMode::Relax : mode == "middle" ? TightMode::Middle : TightMode::Beams;
+}
+
+std::string TightManeuvering::getMode() const
+{
+    return settings_.mode == TightMode::Relax ? "relax" : settings_.mode == TightMode::Middle ? "middle" : "beams";
+}
+
+void TightManeuvering::setField(const std::string &field)
+{
+    require(field == "corridor" || field == "laplace", "field is corridor or laplace, not \"" + field + "\"");
+    settings_.field = field == "corridor" ? TightField::Corridor : TightField::Laplace;
+}
+
+std::string TightManeuvering::getField() const
+{
+    return settings_.field == TightField::Corridor ? "corridor" : "laplace";
+}
+
+void TightManeuvering::setSpacing(double spacing)
+{
+    require(spacing >= 0.0, "spacing must not be negative");
+    settings_.spacing = spacing;
+}
+
+void TightManeuvering::setCorridors(int count)
+{
+    requireCount(count, 64, "corridors");
+    settings_.corridors = count;
+}
+
+void TightManeuvering::setRefinements(int count)
+{
+    require(count >= 0 && count <= 4, "refinements must lie between 0 and 4");
+    settings_.refinements = count;
+}
+
+void TightManeuvering::setRounds(int rounds)
+{
+    requireCount(rounds, 100'000, "rounds");
+    settings_.rounds = rounds;
+}
+
+void TightManeuvering::setCouples(int couples)
+{
+    requireCount(couples, 4, "couples");
+    settings_.couples = couples;
+}
+}  // namespace narrows

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <stdexcept>
+
+#include "planners/NumberList.h"
+#include "planners/ViaPointHomotopy.h"
+
+namespace narrows
+{
+namespace
+{
+constexpr int mostEvaluations = 1'000'000;
+
+void require(bool condition, const std::string &message)
+{
+    if (!condition)
+        throw std::invalid_argument(message);
+}
+
+std::string textOf(const Eigen::VectorXd &values)
+{
+    return toText(Eigen::MatrixXd(values.transpose()));
+}
+}  // namespace
+
+void ViaPointHomotopy::declareParameters()
+{
+    declareParam<std::string>("mode", this, &ViaPointHomotopy::setMode, &ViaPointHomotopy::getMode, "smooth,polyline");
+    declareParam<std::string>("velocity", this, &ViaPointHomotopy::setVelocity, &ViaPointHomotopy::getVelocity);
+    declareParam<std::string>("acceleration", this, &ViaPointHomotopy::setAcceleration,
+                              &ViaPointHomotopy::getAcceleration);
+    declareParam<std::string>("jerk", this, &ViaPointHomotopy::setJerk, &ViaPointHomotopy::getJerk);
+    declareParam<int>("evaluations", this, &ViaPointHomotopy::setEvaluations, &ViaPointHomotopy::getEvaluations,
+                      "0:100:1000000");
+    declareParam<double>("margin", this, &ViaPointHomotopy::setMargin, &ViaPointHomotopy::getMargin, "0.:1.:1000.");
+    declareParam<int>("via_attempts", this, &ViaPointHomotopy::setViaAttempts, &ViaPointHomotopy::getViaAttempts,
+                      "0:10:1000000");
+    declareParam<double>("range", this, &ViaPointHomotopy::setRange, &ViaPointHomotopy::getRange, "0.:1.:10000.");
+}
+
+void ViaPointHomotopy::setMode(const std::string &mode)
+{
+    require(mode == "smooth" || mode == "polyline", "mode is smooth or polyline, not \"" + mode + "\"");
+    smooth_ = mode == "smooth";
+}
+
+Eigen::VectorXd ViaPointHomotopy::limitsFrom(const std::string &text, const char *name) const
+{
+    const Eigen::VectorXd values = parseVector(text);
+    require(values.size() == 1 || values.size() == static_cast<Eigen::Index>(space_->getDimension()),
+            std::string(name) + " takes one number, or one for each joint");
+    require(values.allFinite() && (values.array() > 0.0).all(), std::string(name) + " must be positive and finite");
+    return values;
+}
+
+void ViaPointHomotopy::setVelocity(const std::string &limits)
+{
+    velocity_ = limitsFrom(limits, "velocity");
+}
+
+std::string ViaPointHomotopy::getVelocity() const
+{
+    return textOf(velocity_);
+}
+
+void ViaPointHomotopy::setAcceleration(const std::string &limits)
+{
+    acceleration_ = limitsFrom(limits, "acceleration");
+}
+
+std::string ViaPointHomotopy::getAcceleration() const
+{
+    return textOf(acceleration_);
+}
+
+void ViaPointHomotopy::setJerk(const std::string &limits)
+{
+    jerk_ = limitsFrom(limits, "jerk");
+}
+
+std::string ViaPointHomotopy::getJerk() const
+{
+    return textOf(jerk_);
+}
+
+void ViaPointHomotopy::setEvaluations(int count)
+{
+    require(count >= 0 && count <= mostEvaluations, "evaluations must lie between 0 and 1000000");
+    evaluations_ = count;
+}
+
+void ViaPointHomotopy::setMargin(double margin)
+{
+    require(margin >= 0.0 && std::isfinite(margin), "margin must be finite and not negative");
+    margin_ = margin;
+}
+
+void ViaPointHomotopy::setViaAttempts(int count)
+{
+    require(count >= 0 && count <= mostEvaluations, "via_attempts must lie between 0 and 1000000");
+    viaAttempts_ = count;
+}
+
+void ViaPointHomotopy::setRange(double range)
+{
+    require(range >= 0.0 && std::isfinite(range), "range must be finite and not negative");
+    range_ = range;
+}
+
+std::vector<MotionLimits> ViaPointHomotopy::limits() const
+{
+    const auto of = [](const Eigen::VectorXd &values, Eigen::Index joint)
+    {
+        return values[values.size() == 1 ? 0 : joint];
+    };
+    std::vector<MotionLimits> result;
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(space_->getDimension()); ++i)
+        result.push_back({of(velocity_, i), of(acceleration_, i), of(jerk_, i)});
+    return result;
+}
+}  // namespace narrows

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include "CorridorScene.h"
+#include "PaperCases.h"
+#include "planners/Threader.h"
+#include "scenario/Problem.h"
+
+namespace narrows
+{
+namespace
+{
+using Parameters = std::map<std::string, std::string>;
+
+struct Attempt
+{
+    Problem problem;
+    std::shared_ptr<Threader> planner;
+    ob::PlannerStatus status;
+    std::vector<Eigen::VectorXd> path;  ///< empty without a solution
+
+    double measure(const std::string &name) const
+    {
+        const auto found = planner->measures().find(name);
+        return found == planner->measures().end() ? 0.0 : found->second;
+    }
+};
+
+Attempt solve(const Scenario &scenario, std::uint32_t seed, Parameters parameters = {},
+              const ProblemOptions &options = {})
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    ompl::RNG::setSeed(seed);
+    parameters.insert({"rounds", "12"});
+    Attempt attempt{makeProblem(scenario, options), nullptr, {}, {}};
+    attempt.planner = std::dynamic_pointer_cast<Threader>(makePlanner("threader", attempt.problem.context, parameters));
+    attempt.planner->setProblemDefinition(attempt.problem.pdef);
+    attempt.planner->setup();
+    attempt.status = attempt.planner->solve(ob::plannerNonTerminatingCondition());
+    if (attempt.problem.pdef->hasExactSolution())
+        attempt.path = attempt.problem.space->unwrap(*attempt.problem.pdef->getSolutionPath()->as<og::PathGeometric>());
+    return attempt;
+}
+
+void expectSolved(const Scenario &scenario, const Attempt &attempt)
+{
+    ASSERT_EQ(attempt.status, ob::PlannerStatus::EXACT_SOLUTION) << scenario.name << " " << attempt.planner->reason();
+    EXPECT_TRUE(verify(scenario.world, attempt.path).accepted) << scenario.name;
+}
+
+Scenario generated(const std::string &file, const GenerateSettings &settings)
+{
+    return readScenario(NARROWS_SOURCE_DIR "/experiments/scenarios/" + file + ".yaml", settings);
+}
+
+class PaperCase : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(PaperCase, IsSolvedByEverySeedInEverySpace)
+{
+    const Scenario scenario = paperCase(GetParam());
+    for (const std::string space : {"absolute", "relative", "absolute_line"})
+        for (std::uint32_t seed = 1; seed <= 5; ++seed)
+            expectSolved(scenario, solve(scenario, seed, {}, {"analytic", "continuous", space}));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PaperCase, testing::Values(1, 2, 3));
+
+class Corridor : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(Corridor, IsSolvedByEverySeed)
+{
+    Scenario scenario = paperCase(1);
+    scenario.planar().model = std::make_shared<PlanarModel>(corridor(GetParam()));
+    constexpr int seeds = 10;
+    double checks = 0.0;
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed)
+    {
+        const Attempt attempt = solve(scenario, seed);
+        expectSolved(scenario, attempt);
+        checks += static_cast<double>(attempt.problem.counts->motionChecks);
+    }
+    // 60 to 320 were measured; thousands where equations count that depend on others.
+    EXPECT_LT(checks, 1000.0 * seeds);
+}
+
+INSTANTIATE_TEST_SUITE_P(Closing, Corridor, testing::Values(0.0564, 4e-4, 1e-7));
+
+// Half widths down to a millionth, by links that cross the gaps centred; and nothing else would do.
+TEST(Threader, ThreadsGapsAMillionthWide)
+{
+    for (const std::string file : {"slab", "slab_generic", "tube", "tube_generic"})
+        for (const std::string width : {"1e-3", "1e-6"})
+            for (const std::string seed : {"1", "2", "3"})
+            {
+                const Scenario scenario = generated(file, {{"links", "8"}, {"half_width", width}, {"seed", seed}});
+                const Attempt attempt = solve(scenario, 1);
+                expectSolved(scenario, attempt);
+                EXPECT_GT(attempt.measure("centred_steps"), 0.0);
+            }
+}
+
+TEST(Threader, WithoutCentredStepsDoesNot)
+{
+    const Scenario scenario = generated("slab_generic", {{"links", "6"}, {"half_width", "1e-5"}, {"seed", "1"}});
+    const Attempt attempt = solve(scenario, 1, {{"centring", "0"}, {"traces", "0"}, {"rounds", "3"}});
+    EXPECT_EQ(attempt.status, ob::PlannerStatus::ABORT);
+    EXPECT_EQ(attempt.planner->reason(), "rounds");
+    EXPECT_EQ(attempt.measure("centred_steps"), 0.0);
+}
+
+TEST(Threader, SameSeedSamePath)
+{
+    const Scenario scenario = paperCase(3);
+    const Attempt first = solve(scenario, 7), second = solve(scenario, 7), other = solve(scenario, 8);
+    EXPECT_EQ(first.path, second.path);
+    EXPECT_EQ(first.planner->measures(), second.planner->measures());
+    EXPECT_NE(first.path, other.path);
+}
+
+TEST(Threader, MembersSolveAlone)
+{
+    const Scenario scenario = paperCase(1);
+    const Parameters none{{"full", "0"}, {"slices", "0"}, {"traces", "0"}};
+    for (const auto &[member, measure] : std::map<std::string, std::string>{
+             {"full", "solved_by_full"}, {"slices", "solved_by_slice"}, {"traces", "solved_by_traces"}})
+    {
+        Parameters only = none;
+        only[member] = "1";
+        only["rounds"] = "200";
+        const Attempt attempt = solve(scenario, 3, only);
+        expectSolved(scenario, attempt);
+        EXPECT_EQ(attempt.measure(measure), 1.0) << member;
+    }
+    const Attempt idle = solve(scenario, 3, none);
+    EXPECT_EQ(idle.status, ob::PlannerStatus::ABORT);
+    EXPECT_EQ(idle.planner->reason(), "no_member");
+}
+
+TEST(Threader, BentStepsSpareSamples)
+{
+    double with = 0.0, without = 0.0;
+    for (std::uint32_t seed = 1; seed <= 5; ++seed)
+    {
+        with += static_cast<double>(solve(paperCase(3), seed).problem.counts->motionChecks);
+        without += static_cast<double>(solve(paperCase(3), seed, {{"bending", "0"}}).problem.counts->motionChecks);
+    }
+    EXPECT_LT(with, 0.5 * without);
+}
+
+TEST(Threader, GoesStraightWhereItCan)
+{
+    Scenario scenario = paperCase(1);
+    PlanarModel model = *scenario.planar().model;
+    model.obstacles.clear();
+    scenario.planar().model = std::make_shared<PlanarModel>(model);
+    const Attempt attempt = solve(scenario, 1);
+    expectSolved(scenario, attempt);
+    EXPECT_EQ(attempt.path.size(), 2u);
+    EXPECT_EQ(attempt.measure("samples"), 0.0);
+    EXPECT_EQ(attempt.measure("solved_by_straight"), 1.0);
+}
+
+TEST(Threader, ReachesTips)
+{
+    Scenario scenario = paperCase(1);
+    scenario.planar().task.goal = TipGoal{2, {2.5, 3.5}, 1e-3};
+    expectSolved(scenario, solve(scenario, 3));
+}
+
+TEST(Threader, KeepsToJointLimits)
+{
+    Scenario scenario = paperCase(1);
+    PlanarTask &task = scenario.planar().task;
+    task.limits.convention = AngleConvention::Absolute;
+    task.limits.angles = {Interval{-1.2, 2.2}, Interval{-1.5, 1.9}, Interval{-1.7, 2.3}};
+    for (std::uint32_t seed = 1; seed <= 5; ++seed)
+        expectSolved(scenario, solve(scenario, seed));
+}
+
+TEST(Threader, PlansInSpace)
+{
+    for (const std::string file : {"spatial_elbow", "spatial_six"})
+    {
+        const Scenario scenario = readScenario(NARROWS_SOURCE_DIR "/experiments/scenarios/" + file + ".yaml");
+        expectSolved(scenario, solve(scenario, 1));
+    }
+}
+
+TEST(Threader, RefusesImpossibleParameters)
+{
+    const Problem problem = makeProblem(paperCase(1));
+    for (const auto &[name, value] : std::map<std::string, std::string>{{"range", "-1"},
+                                                                        {"slice_range", "101"},
+                                                                        {"slice_box", "0"},
+                                                                        {"slice_dimensions", "0"},
+                                                                        {"gap_width", "0"},
+                                                                        {"rounds", "0"}})
+        EXPECT_THROW(makePlanner("threader", problem.context, {{name, value}}), ParameterError) << name;
+}
+}  // namespace
+}  // namespace narrows

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Threader is built from besides gaps: slices, samples, overlaps, charts of joint space, trees.
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
+
+#include "PaperScenes.h"
+#include "kernel/threading/AffineSlice.h"
+#include "kernel/threading/DeepestOverlap.h"
+#include "kernel/threading/LowDiscrepancy.h"
+#include "planners/JointChart.h"
+#include "planners/ThreadingTree.h"
+#include "spaces/PlanarArmStateSpace.h"
+#include "validity/ArmChecker.h"
+
+namespace narrows
+{
+namespace
+{
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd randomVector(std::mt19937 &random, Eigen::Index size, double bound)
+{
+    std::uniform_real_distribution<double> value(-bound, bound);
+    return VectorXd::NullaryExpr(size, [&] { return value(random); });
+}
+
+TEST(AffineSlices, HoldStartAndGoalAndAreOrthonormal)
+{
+    std::mt19937 random(3);
+    const VectorXd start = randomVector(random, 20, 3.0), goal = randomVector(random, 20, 3.0);
+    const AffineSlices slices = affineSlices(start, goal, cosineModes(20, 5), 5);
+    ASSERT_EQ(slices.dimensions(), 5);
+    EXPECT_LT((slices.basis.transpose() * slices.basis - MatrixXd::Identity(5, 5)).norm(), 1e-12);
+    EXPECT_LT(slices.coordinates(start).norm(), 1e-12);
+    const VectorXd place = slices.coordinates(goal);
+    EXPECT_NEAR(place[0], (goal - start).norm(), 1e-12);
+    EXPECT_LT(place.tail(4).norm(), 1e-12);
+    EXPECT_LT((slices.point(place.head(1)) - goal).norm(), 1e-12);
+}
+
+TEST(AffineSlices, CosineModesAreOrthogonal)
+{
+    const MatrixXd modes = cosineModes(7, 7, 1);
+    EXPECT_EQ(modes.rows(), 8);
+    EXPECT_EQ(modes.row(0).norm(), 0.0);
+    const MatrixXd gram = modes.transpose() * modes;
+    EXPECT_LT((gram - MatrixXd(gram.diagonal().asDiagonal())).norm(), 1e-12);
+    EXPECT_THROW(cosineModes(3, 4), std::invalid_argument);
+}
+
+TEST(AffineSlices, DropDirectionsThatAddNothing)
+{
+    const VectorXd start = VectorXd::Zero(3), goal = VectorXd::Ones(3);  // the first mode's direction
+    const AffineSlices slices = affineSlices(start, goal, cosineModes(3, 3), 5);
+    EXPECT_EQ(slices.dimensions(), 3);
+    EXPECT_EQ(affineSlices(start, start, cosineModes(3, 2), 3).dimensions(), 2);
+    EXPECT_THROW(affineSlices(start, VectorXd::Ones(2), cosineModes(3, 2), 3), std::invalid_argument);
+}
+
+TEST(LowDiscrepancy, IsTheGoldenRatioInOneDimension)
+{
+    LowDiscrepancy sequence(VectorXd::Constant(1, 0.25));
+    const double step = (std::sqrt(5.0) - 1.0) / 2.0;
+    for (int i = 1; i <= 100; ++i)
+    {
+        const double expected = 0.25 + i * step;
+        EXPECT_NEAR(sequence.next()[0], expected - std::floor(expected), 1e-12);
+    }
+    EXPECT_THROW(LowDiscrepancy(VectorXd::Ones(2)), std::invalid_argument);
+    EXPECT_THROW(LowDiscrepancy(VectorXd(0)), std::invalid_argument);
+}
+
+TEST(LowDiscrepancy, FillsBoxesMoreEvenlyThanChance)
+{
+    LowDiscrepancy sequence(VectorXd::Zero(2));
+    MatrixXd hits = MatrixXd::Zero(8, 8);
+    for (int i = 0; i < 64 * 16; ++i)
+    {
+        const VectorXd &point = sequence.next();
+        hits(static_cast<int>(8 * point[0]), static_cast<int>(8 * point[1])) += 1.0;
+    }
+    EXPECT_GE(hits.minCoeff(), 13.0);  // 16 on average; of random points some box gets 7
+    EXPECT_LE(hits.maxCoeff(), 19.0);
+}
+
+class Overlap : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(Overlap, SaysWhatTheCheckerSaysAndHowToGetOut)
+{
+    const PlanarModel model = paperScene(GetParam()).model;
+    const auto checker = makeArmChecker("analytic", model);
+    DeepestOverlap overlap(model);
+    std::mt19937 random(11);
+    int deep = 0;
+    VectorXd gradient, unused;
+    for (int i = 0; i < 500; ++i)
+    {
+        const VectorXd q = randomVector(random, model.arm.dimension(), M_PI);
+        const double depth = overlap.deepest(q, gradient);
+        ASSERT_EQ(depth < 0.0, !checker->isFree(q)) << q.transpose();
+        if (!(depth < 0.0))
+            continue;
+        ++deep;
+        const double step = 1e-7 / gradient.norm();
+        EXPECT_GT(overlap.deepest(q + step * gradient, unused), depth);
+    }
+    EXPECT_GT(deep, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(PaperCases, Overlap, testing::Values(1, 2, 3));
+
+/// A gripper whose joints wrap and whose space counts them relative to each other.
+std::shared_ptr<PlanarArmStateSpace> gripperSpace(const JointLimits &limits = {})
+{
+    const PlanarArm arm({0, 0}, {{1.0, -1}, {1.0, 0}, {1.0, 1}, {0.5, 1}});
+    return std::make_shared<PlanarArmStateSpace>(arm, AngleConvention::Relative, FreeJoints::Wrapping, limits);
+}
+
+TEST(JointChart, CountsAbsoluteAnglesWhereAllJointsWrap)
+{
+    auto space = gripperSpace();
+    const JointChart chart(*space);
+    ompl::base::ScopedState<> state(space);
+    const VectorXd x{{3.0, -3.0, 2.0, 9.0}};
+    chart.write(x, state->as<ob::RealVectorStateSpace::StateType>()->values);
+    EXPECT_TRUE(space->satisfiesBounds(state.get()));
+    VectorXd q, way;
+    space->toConfiguration(state.get(), q);
+    chart.shortWay(x, q, way);
+    EXPECT_LT(way.norm(), 1e-12);  // the same up to full turns
+    chart.read(state.get(), q);
+    chart.shortWay(x, q, way);
+    EXPECT_LT(way.norm(), 1e-12);
+}
+
+// A way is unambiguous if the space goes it too.
+TEST(JointChart, LongWaysAreDivided)
+{
+    auto space = gripperSpace();
+    const JointChart chart(*space);
+    ompl::base::ScopedState<> from(space), to(space);
+    const VectorXd x = VectorXd::Zero(4), way{{-2.5, 2.5, 0.0, 0.0}};  // the second joint turns by 5
+    const double part = chart.unambiguousPart(way);
+    EXPECT_LT(part, 1.0);
+    for (const double share : {part, 1.0})
+    {
+        chart.write(x, from->as<ob::RealVectorStateSpace::StateType>()->values);
+        chart.write(x + share * way, to->as<ob::RealVectorStateSpace::StateType>()->values);
+        VectorXd gone;
+        space->displacement(from.get(), to.get(), gone);
+        EXPECT_EQ((gone - share * way).norm() < 1e-12, share < 1.0);
+    }
+}
+
+TEST(JointChart, KeepsTheSpacesOwnValuesWithLimits)
+{
+    JointLimits limits{AngleConvention::Relative, {std::nullopt, Interval{-1, 1}}};
+    auto space = gripperSpace(limits);
+    const JointChart chart(*space);
+    const VectorXd x{{0.3, 0.5, -0.2, 0.4}};
+    VectorXd q;
+    chart.toConfiguration(x, q);
+    EXPECT_LT((q - VectorXd{{0.3, 0.8, 0.6, 1.2}}).norm(), 1e-12);
+    EXPECT_LT((chart.fromConfiguration(q) - x).norm(), 1e-12);
+    // f(q) = c . q: its derivative by x is what x times the way changes.
+    const VectorXd c{{1.0, 2.0, 3.0, 4.0}}, step{{0.1, -0.2, 0.3, 0.5}};
+    VectorXd moved;
+    chart.toConfiguration(step, moved);
+    EXPECT_NEAR(chart.gradient(c).dot(step), c.dot(moved), 1e-12);
+    EXPECT_EQ(chart.lower()[1], -1.0);
+    EXPECT_TRUE(std::isinf(chart.periods()[1]));
+}
+
+TEST(ThreadingTree, FindsTheNearestAsBruteForceDoes)
+{
+    std::mt19937 random(5);
+    VectorXd periods = VectorXd::Constant(3, 2.0 * M_PI);
+    periods[2] = std::numeric_limits<double>::infinity();
+    ThreadingTree tree(periods, 2);
+    std::vector<VectorXd> listed;
+    for (int i = 0; i < 200; ++i)
+    {
+        const VectorXd x = randomVector(random, 3, 8.0);
+        const int level = i % 3 + 1;
+        tree.add(x, i - 1, level, x.head(2), i % 5 != 0);
+    }
+    const auto distance = [&](const VectorXd &a, const VectorXd &b)
+    {
+        VectorXd way = a - b;
+        for (int j = 0; j < 2; ++j)
+            way[j] = std::remainder(way[j], 2.0 * M_PI);
+        return way.norm();
+    };
+    for (int i = 0; i < 100; ++i)
+    {
+        const VectorXd x = randomVector(random, 3, 8.0);
+        int best = -1, bestInSlice = -1;
+        for (int node = 0; node < tree.size(); ++node)
+        {
+            if (node % 5 == 0)
+                continue;
+            if (best < 0 || distance(x, tree[node].x) < distance(x, tree[best].x))
+                best = node;
+            if (tree[node].level <= 2 &&
+                (bestInSlice < 0 || (x - tree[node].x).head(2).norm() < (x - tree[bestInSlice].x).head(2).norm()))
+                bestInSlice = node;
+        }
+        EXPECT_EQ(tree.nearest(x), best);
+        EXPECT_EQ(tree.nearestInSlice(x.head(2)), bestInSlice);
+    }
+}
+}  // namespace
+}  // namespace narrows
