@@ -44,7 +44,7 @@ def test_longest_solved_length_and_its_index(table):
 
 
 def test_star_where_a_shorter_length_was_not_solved(table):
-    rows = [("bends_length50", "beams", 1, None), ("maze_length60", "beams", 0, "jump"),
+    rows = [("bends_length50", "beams", 1, None), ("bends_length60", "beams", 0, "jump"),
             ("bends_length70.5", "beams", 1, None)]
     assert table(rows)[2] == "| bends | 70.5 (0.681)\\* | 103.48, of a flat bend |"
 
