@@ -17,8 +17,8 @@ struct CriticalRegionOptions
     double turning = 0.26;  ///< >= 0, radians: the path must turn more than this over a region's critical stations
 };
 
-/// What findings with these scenes gave: 15 degrees in the plane; in space 35 degrees and a gap of a passage's width.
-/// \param width of a passage
+/// What was tried on the scenes of docs/tight.md gave: 15 degrees in the plane; in space 35 degrees and a gap of a
+/// passage's width. \param width of a passage
 template <int D>
 CriticalRegionOptions standardRegions(double width)
 {

@@ -53,9 +53,8 @@ struct ChainCertificate
     explicit operator bool() const { return failure == ChainFailure::None; }
 };
 
-/// Decides whether a chain of any number of equal links can follow a path (findings of this project on tight
-/// maneuvering): it can iff every chord from P(g(s)) to P(s) keeps the radius from all obstacles and g is continuous,
-/// because every link at any time is such a chord.
+/// Decides whether a chain of any number of equal links can follow a path: it can iff every chord from P(g(s)) to P(s)
+/// keeps the radius from all obstacles and g is continuous, because every link at any time is such a chord.
 ///
 /// Nothing is sampled: the path is halved until what is known of the chord in the middle of a stretch covers the
 /// stretch. While the front end moves by no more than d, g stays between the last places that are L + d and L - d away,
