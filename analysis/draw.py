@@ -49,11 +49,11 @@ def draw_panel(axes, scene, panel, corners):
     view.draw_scene(axes, scene, corners)
     start, goal = scene.start, scene.goal
     if panel.path:
-        view.draw_sweep(axes, scene, panel.path)
+        view.draw_sweep(axes, scene, panel.path, corners)
         start, goal = scene.arm.place(panel.path[0]), scene.arm.place(panel.path[-1])
-    view.draw_end(axes, scene, start, START)
+    view.draw_end(axes, scene, start, START, corners)
     if goal is not None:
-        view.draw_end(axes, scene, goal, GOAL)
+        view.draw_end(axes, scene, goal, GOAL, corners)
     view.frame(axes, start, corners)
     view.label(axes, panel.caption)
     if not panel.path:

@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
-from palette import EDGE, GOAL, OBSTACLE, POSES, SWEEP, TIPS, TRACE
+from palette import EDGE, GOAL, LONG, OBSTACLE, POSES, SWEEP, TIPS, TRACE
 from scene import capsule, poses
 
 PROJECTION = None
@@ -26,7 +26,7 @@ def draw_arm(axes, scene, points, **style):
     axes.add_collection(LineCollection(scene.arm.branches(points), capstyle="round", joinstyle="round", **style))
 
 
-def draw_end(axes, scene, points, colour):
+def draw_end(axes, scene, points, colour, _corners):
     """The arm at the start or the goal, as thick as it is."""
     if scene.arm.radius > 0.0:
         outlines = [capsule(segment, scene.arm.radius) for segment in scene.arm.segments(points)]
@@ -34,7 +34,7 @@ def draw_end(axes, scene, points, colour):
     draw_arm(axes, scene, points, color=colour, linewidth=2.2, zorder=3)
 
 
-def draw_sweep(axes, scene, path):
+def draw_sweep(axes, scene, path, _corners):
     """The arm on its way, dark first, and where its last tip goes."""
     shown = poses(path, POSES)
     for row, colour in zip(shown, matplotlib.colormaps[SWEEP](np.linspace(0.1, 0.9, len(shown)))):
@@ -44,12 +44,14 @@ def draw_sweep(axes, scene, path):
 
 
 def extent(scene, paths):
-    """Corners of everything that is drawn, with a margin."""
-    points = [scene.start, *scene.outlines.values()]
-    points += [part for part in (scene.goal, scene.rail) if part is not None]
+    """Corners of everything that is drawn, with a margin; of the obstacles alone, if the arm reaches LONG times as far."""
+    arm = [part for part in (scene.start, scene.goal, scene.rail) if part is not None]
     for path in paths:
-        points += [scene.arm.place(row) for row in poses(path, POSES)]
-    points = np.vstack(points)
+        arm += [scene.arm.place(row) for row in poses(path, POSES)]
+    obstacles = list(scene.outlines.values())
+    points = np.vstack(arm + obstacles)
+    if obstacles and np.max(np.ptp(points, axis=0)) > LONG * np.max(np.ptp(np.vstack(obstacles), axis=0)):
+        points = np.vstack(obstacles)
     low, high = points.min(axis=0), points.max(axis=0)
     margin = 0.04 * max(high - low) + scene.arm.radius
     return low - margin, high + margin

@@ -5,7 +5,7 @@ import matplotlib
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from palette import EDGE, GOAL, OBSTACLE, POSES, SWEEP, TIPS, TRACE
+from palette import EDGE, GOAL, LONG, OBSTACLE, POSES, SWEEP, TIPS, TRACE
 from scene import poses
 from surfaces import ball, tube
 
@@ -22,11 +22,26 @@ def extent(scene, paths):
     arm = np.vstack([part.reshape(-1, 3) for part in arms])
     middle = (arm.min(axis=0) + arm.max(axis=0)) / 2.0
     size = ROOM * np.max(arm.max(axis=0) - arm.min(axis=0)) / 2.0
-    points = np.vstack([arm, *(face for faces in scene.surfaces.values() for face in faces)])
+    faces = [face for faces in scene.surfaces.values() for face in faces]
+    points = np.vstack([arm, *faces])
+    if faces and np.max(np.ptp(points, axis=0)) > LONG * np.max(np.ptp(np.vstack(faces), axis=0)):
+        return around(np.vstack(faces))
     low = np.maximum(points.min(axis=0), np.minimum(middle - size, arm.min(axis=0)))
     high = np.minimum(points.max(axis=0), np.maximum(middle + size, arm.max(axis=0)))
     margin = 0.03 * max(high - low) + max(scene.arm.radii)
     return low - margin, high + margin
+
+
+def around(points):
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.1 * max(high - low)
+    return low - margin, high + margin
+
+
+def within(segments, corners):
+    """Which of an arm's links lie in the box: a picture in space does not cut off what sticks out."""
+    low, high = corners
+    return ((segments >= low) & (segments <= high)).all(axis=(1, 2))
 
 
 def clipped(face, low, high):
@@ -66,21 +81,24 @@ def draw_arm(axes, segments, **style):
     axes.add_collection3d(Line3DCollection(segments, capstyle="round", **style))
 
 
-def draw_end(axes, scene, segments, colour):
+def draw_end(axes, scene, segments, colour, corners):
     """The arm at the start or the goal, as thick as it is."""
-    links = [(ends, radius) for ends, radius in zip(segments, scene.arm.radii) if radius > 0.0]
+    shown = within(segments, corners)
+    links = [(ends, radius) for ends, radius in zip(segments[shown], np.array(scene.arm.radii)[shown]) if radius > 0.0]
     bodies = [face for ends, radius in links for face in tube(*ends, radius, LINK_SIDES)]
     if bodies:
         add_surface(axes, bodies, facecolor=colour, edgecolor="none", alpha=0.3)
-    draw_arm(axes, segments, color=colour, linewidth=2.6)
+    draw_arm(axes, segments[shown], color=colour, linewidth=2.6)
 
 
-def draw_sweep(axes, scene, path):
+def draw_sweep(axes, scene, path, corners):
     """The arm on its way, dark first, and where its last tip goes."""
     shown = poses(path, POSES)
     for row, colour in zip(shown, matplotlib.colormaps[SWEEP](np.linspace(0.1, 0.9, len(shown)))):
-        draw_arm(axes, scene.arm.place(row), color=colour, linewidth=1.1, alpha=0.6)
+        links = scene.arm.place(row)
+        draw_arm(axes, links[within(links, corners)], color=colour, linewidth=1.1, alpha=0.6)
     tips = np.array([scene.arm.place(row)[-1, 1] for row in poses(path, TIPS)])
+    tips = tips[((tips >= corners[0]) & (tips <= corners[1])).all(axis=1)]
     axes.plot(*tips.T, color=TRACE, linewidth=0.8, linestyle=":")
 
 
@@ -95,8 +113,9 @@ def label(axes, caption):
 
 def frame(axes, start, corners):
     """Marks the base and sets the view."""
-    axes.plot(*start[0, :1].T, marker="o", color="black", markersize=4)
     low, high = corners
+    if np.all((start[0, 0] >= low) & (start[0, 0] <= high)):
+        axes.plot(*start[0, :1].T, marker="o", color="black", markersize=4)
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     axes.set_box_aspect(high - low, zoom=0.93)
     axes.view_init(elev=24, azim=-58)

@@ -6,3 +6,4 @@ START, GOAL, OBSTACLE, EDGE, TRACE = "#0072B2", "#D55E00", "#B0B0B0", "#606060",
 SWEEP = "viridis"
 POSES = 28  # of the arm on its way
 TIPS = 400  # of its last tip
+LONG = 2.5  # an arm that reaches so many times as far as all obstacles is shown among them only
