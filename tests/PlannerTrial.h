@@ -14,6 +14,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include "TinyChainProblem.h"
 #include "TinyPipeProblem.h"
 #include "TinyProblem.h"
 #include "planners/PlannerFactory.h"
@@ -85,13 +86,15 @@ inline long enoughFor(const std::string &planner)
     return has(planner, Quirk::TakesAllTime) ? 2000 : 20'000;
 }
 
-/// The problem that a planner is tried on: one of its robots. Random numbers repeat only for what is built after the seed
-/// is set.
+/// The problem that a planner is tried on: one of its robots. Random numbers repeat only for what is built after the
+/// seed is set.
 inline Problem seededProblem(const std::string &planner = "")
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
     ompl::RNG::setSeed(seed);
-    return planner == "vdsm" ? makeProblem(tinyPipeScenario()) : tinyProblem();
+    if (planner == "vdsm")
+        return makeProblem(tinyPipeScenario());
+    return planner == "tight" ? makeProblem(tinyChainScenario()) : tinyProblem();
 }
 
 struct Trial

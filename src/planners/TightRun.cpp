@@ -44,23 +44,31 @@ public:
     }
 
     std::string refusal() const override { return refusal_; }
-    bool isDone() const override { return search_->isDone(); }
+    bool isDone() const override { return search_->isDone() && !feed_; }
 
     TightOutcome next(const std::function<bool()> &stop) override
     {
-        const TightAttempt<D> attempt = search_->next(stop);
-        if (attempt.nodes.empty())
-            return {{start_}, attempt.failure};
-        measures_["amplification"] = attempt.certificate.amplification;
-        measures_["largest_angle"] = attempt.certificate.largestAngle;
-        measures_["link_clearance"] = attempt.certificate.clearance;
-        // Ways of links may cross where links do not meet: the validator knows.
-        const bool worthFeeding = attempt.failure.empty() || attempt.failure == toText(ChainFailure::SelfCollision);
-        if (!worthFeeding)
-            return {{start_}, attempt.failure};
-        TightOutcome outcome = feed(attempt.nodes, stop);
-        if (!outcome.failure.empty() && !attempt.failure.empty() && outcome.failure != "timeout")
-            outcome.failure = attempt.failure;
+        if (!feed_)
+        {
+            const TightAttempt<D> attempt = search_->next(stop);
+            if (attempt.nodes.empty())
+                return {{start_}, attempt.failure};
+            measures_["amplification"] = attempt.certificate.amplification;
+            measures_["largest_angle"] = attempt.certificate.largestAngle;
+            measures_["link_clearance"] = attempt.certificate.clearance;
+            // Ways of links may cross where links do not meet: the validator knows.
+            const bool worthFeeding = attempt.failure.empty() || attempt.failure == toText(ChainFailure::SelfCollision);
+            if (!worthFeeding)
+                return {{start_}, attempt.failure};
+            begin(attempt);
+        }
+        TightOutcome outcome{{}, feed(stop)};
+        outcome.states = feed_->states;
+        if (outcome.failure == "timeout")
+            return outcome;
+        if (!outcome.failure.empty() && !feed_->doubt.empty())
+            outcome.failure = feed_->doubt;
+        feed_.reset();
         return outcome;
     }
 
@@ -81,42 +89,65 @@ private:
         return std::abs(std::abs(entrance_.dot(robot_.axis())) - 1.0) <= straightness;
     }
 
-    /// Moves the tip along the path, in steps that the validator accepts.
-    TightOutcome feed(const PointPath<D> &nodes, const std::function<bool()> &stop)
+    /// A path on which the chain has been moved up to s.
+    struct Feed
     {
-        const LeaderPath<D> path(nodes, entrance_);
+        LeaderPath<D> path;
+        std::string doubt;  ///< what the certificate has against the path
+        std::vector<Eigen::VectorXd> states;
+        double s;
+        double step;
+    };
+
+    void begin(const TightAttempt<D> &attempt)
+    {
+        const Point tip = robot_.centres(start_).back();
+        const double ahead = (attempt.nodes.front() - tip).dot(entrance_);
+        feed_.emplace(Feed{LeaderPath<D>(attempt.nodes, entrance_),
+                           attempt.failure,
+                           {start_},
+                           -ahead,
+                           firstStep * robot_.spec().length});
+    }
+
+    /// Moves the tip along the path, in steps that the validator accepts. "timeout": a later call goes on.
+    std::string feed(const std::function<bool()> &stop)
+    {
         const double length = robot_.spec().length;
-        TightOutcome outcome{{start_}, ""};
         Eigen::VectorXd values = start_;
-        double s = 0.0;
-        for (double step = firstStep * length; s < path.length();)
+        while (feed_->s < feed_->path.length())
         {
             if (stop())
-                return {outcome.states, "timeout"};
-            const double to = std::min(s + step, path.length());
-            const std::string refused = poseAt(path, to, outcome.states.back(), values);
-            if (refused.empty() && isFree(outcome.states.back(), values))
+                return "timeout";
+            const double to = std::min(feed_->s + feed_->step, feed_->path.length());
+            const std::string refused = poseAt(feed_->path, to, feed_->states.back(), values);
+            if (refused.empty() && isFree(feed_->states.back(), values))
             {
-                outcome.states.push_back(values);
-                s = to;
-                step = std::min(stepGrowth * step, longestStep * length);
+                feed_->states.push_back(values);
+                feed_->s = to;
+                feed_->step = std::min(stepGrowth * feed_->step, longestStep * length);
                 continue;
             }
             measures_["refused_motions"] += 1.0;
-            step *= 0.5;
-            if (step < shortestStep * length)
-                return {outcome.states, refused.empty() ? "motion" : refused};
+            feed_->step *= 0.5;
+            if (feed_->step < shortestStep * length)
+                return refused.empty() ? "motion" : refused;
         }
-        measures_["states"] = static_cast<double>(outcome.states.size());
-        if (goal_.values && (*goal_.values - outcome.states.back()).template lpNorm<Eigen::Infinity>() > rounding)
-        {
-            if (!isFree(outcome.states.back(), *goal_.values))
-                return {outcome.states, "goal_motion"};
-            outcome.states.push_back(*goal_.values);
-        }
-        else if (goal_.values)
-            outcome.states.back() = *goal_.values;
-        return outcome;
+        measures_["states"] = static_cast<double>(feed_->states.size());
+        return goal_.values ? endIn(*goal_.values) : "";
+    }
+
+    /// From the last state to joint values with the same tip.
+    std::string endIn(const Eigen::VectorXd &values)
+    {
+        Eigen::VectorXd &last = feed_->states.back();
+        if ((values - last).template lpNorm<Eigen::Infinity>() <= rounding)
+            last = values;
+        else if (isFree(last, values))
+            feed_->states.push_back(values);
+        else
+            return "goal_motion";
+        return "";
     }
 
     /// The chain with its tip at s; a reason if it cannot take that pose.
@@ -161,6 +192,7 @@ private:
     Point entrance_;
     std::string refusal_;
     std::unique_ptr<TightSearch<D>> search_;
+    std::optional<Feed> feed_;  ///< what is under way
     std::map<std::string, double> measures_;
 };
 }  // namespace

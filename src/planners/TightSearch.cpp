@@ -19,6 +19,9 @@ constexpr double cellsPerLink = 12.0;
 constexpr double mostCells = 2e6;   ///< of the first grid; a refined one may have eight times as many, and so on
 constexpr double firstShare = 0.5;  ///< of the link length, where growing begins
 constexpr double growth = 0.05;
+constexpr int mostAdvances = 6;    ///< of the start along the entrance line
+constexpr double mostSpare = 0.5;  ///< of a link: how much further than necessary
+constexpr double leastSpare = 0.1;
 
 /// The sides of a box, those at infinity replaced.
 template <class Point>
@@ -64,7 +67,11 @@ TightAttempt<D> TightSearch<D>::next(const std::function<bool()> &stop)
     if (!attempt.failure.empty() && stop())
         attempt.failure = "timeout";
     else
+    {
+        if (attempt.failure == toText(ChainFailure::TooShort) && tooLong_.empty())
+            tooLong_ = attempt.nodes;
         advance();
+    }
     return attempt;
 }
 
@@ -88,6 +95,19 @@ void TightSearch<D>::advance()
     way_ = 0;
     done_ = settings_.mode != TightMode::Relax || kind_ == Start::GrowingFine;
     kind_ = static_cast<Start>(static_cast<int>(kind_) + 1);
+    // Relaxed paths are longer than the ways that they come from: all again, from a start that has been moved on.
+    if (done_ && !tooLong_.empty() && feedStraight(tooLong_))
+        restart();
+}
+
+template <int D>
+void TightSearch<D>::restart()
+{
+    ways_.clear();
+    tooLong_.clear();
+    kind_ = Start::Middle;
+    searchedAll_ = false;
+    done_ = false;
 }
 
 template <int D>
@@ -102,13 +122,43 @@ std::string TightSearch<D>::findWays()
             break;
         counts_["cells"] += grid.cells();
         std::vector<float> clearance = distanceField(grid, GridBorder::Open);
-        failure =
-            settings_.field == TightField::Corridor ? corridorWays(grid, clearance, 1) : laplaceWay(grid, clearance);
+        failure = firstWay(grid, clearance);
+        while (failure.empty() && feedStraight(ways_.front().middle))
+            failure = firstWay(grid, clearance);
         grid_ = std::move(grid);
         clearance_ = std::move(clearance);
     }
     counts_["corridors"] = static_cast<double>(ways_.size());
     return failure;
+}
+
+template <int D>
+std::string TightSearch<D>::firstWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance)
+{
+    ways_.clear();
+    return settings_.field == TightField::Corridor ? corridorWays(grid, clearance, 1) : laplaceWay(grid, clearance);
+}
+
+/// Moves the start on along the entrance line if the chain would not reach back to it from the end of a path, and if
+/// there is room; says whether.
+template <int D>
+bool TightSearch<D>::feedStraight(const PointPath<D> &nodes)
+{
+    const LeaderPath<D> path(nodes, entrance_);
+    const double missing = jointPlaces<D>(path, path.length(), spec_.length, spec_.links).back();
+    if (missing <= 0.0 || advances_ >= mostAdvances)
+        return false;
+    const double room = spec_.radius + 0.1 * spec_.length;
+    for (double share = mostSpare; share >= leastSpare; share *= 0.5)
+    {
+        const Point ahead = start_ + (missing + share * spec_.length) * entrance_;
+        if (obstacles_.clearance(start_, ahead, room) < room)
+            continue;
+        start_ = ahead;
+        ++advances_;
+        return true;
+    }
+    return false;
 }
 
 /// A grid around obstacles, start and goal, finer and reaching further with every refinement.

@@ -37,7 +37,8 @@ struct TightSettings
     int couples = 2;       ///< 1 to 4, of beams in space
 };
 
-/// A path that was tried, and what the certificate says of it.
+/// A path that was tried, from the start or from further on along the entrance line, and what the certificate says of
+/// it.
 template <int D>
 struct TightAttempt
 {
@@ -48,7 +49,8 @@ struct TightAttempt
 
 /// Looks for paths that a chain can follow, one try after the other: through the cheapest corridor of a grid, then
 /// through further ones; in each of them the middle path relaxed, the beams' path relaxed, then, in all of them, the
-/// link length grown slowly, and that with half the spacing.
+/// link length grown slowly, and that with half the spacing. A chain too short to reach back from the goal to where its
+/// tip begins is fed straight on first, as far as necessary: its paths begin there.
 template <int D>
 class TightSearch
 {
@@ -82,6 +84,8 @@ private:
 
     std::string findWays();
     std::string openGrid(int refinement, VoxelGrid<D> &grid) const;
+    std::string firstWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance);
+    bool feedStraight(const PointPath<D> &nodes);
     std::string corridorWays(const VoxelGrid<D> &grid, const std::vector<float> &clearance, int count);
     std::string laplaceWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance);
     void addWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const PointPath<D> &path);
@@ -92,6 +96,7 @@ private:
                             const std::function<bool()> &stop);
     TightAttempt<D> grow(const Way &way, double fineness, const std::function<bool()> &stop);
     void advance();
+    void restart();
 
     const ChordObstacles<D> &obstacles_;
     const ChainSpec &spec_;
@@ -104,6 +109,8 @@ private:
     std::size_t way_ = 0;
     Start kind_ = Start::Middle;
     bool searchedAll_ = false;
+    int advances_ = 0;      ///< of the start
+    PointPath<D> tooLong_;  ///< the first path that the chain was too short for, since the start was moved
     bool done_ = false;
 };
 

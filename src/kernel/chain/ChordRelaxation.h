@@ -36,9 +36,10 @@ struct RelaxedPath
 /// and it is not complete).
 ///
 /// Every round looks at the chords P(g(s))P(s) all along the path: those that come closer to an obstacle than radius
-/// and margin push the nodes at both of their ends, and so do joints bent too far and links too near each other. Where
-/// g is about to jump the path is straightened. Each node goes the weighted mean of what is asked of it and a little
-/// towards its neighbours. It is a local search: what comes of it depends on where it begins.
+/// and margin push the nodes at both of their ends, and so do joints bent too far. Where g is about to jump the path is
+/// straightened. Links too near each other do not push: the certificate refuses them. Each node goes the weighted mean
+/// of what is asked of it and a little towards its neighbours. It is a local search: what comes of it depends on where
+/// it begins.
 /// \param nodes from the entrance to the goal, both stay where they are
 /// \param stop asked once per round; may be empty
 /// \return the first path that certifyChain() accepts; else the last one, and why not
