@@ -3,13 +3,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include "PaperCases.h"
+#include "PlannerAttempt.h"
 #include "planners/HPPM.h"
-#include "planners/PlannerFactory.h"
-#include "scenario/Problem.h"
 
 namespace narrows
 {
@@ -17,26 +14,11 @@ namespace
 {
 using Parameters = std::map<std::string, std::string>;
 
-struct Attempt
-{
-    Problem problem;
-    std::shared_ptr<HPPM> planner;
-    ob::PlannerStatus status;
-    std::vector<Eigen::VectorXd> path;  ///< empty without a solution
-};
+using Attempt = PlannerAttempt<HPPM>;
 
 Attempt solve(const Scenario &scenario, std::uint32_t seed, const Parameters &parameters = {})
 {
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-    ompl::RNG::setSeed(seed);
-    Attempt attempt{makeProblem(scenario), nullptr, {}, {}};
-    attempt.planner = std::dynamic_pointer_cast<HPPM>(makePlanner("hppm", attempt.problem.context, parameters));
-    attempt.planner->setProblemDefinition(attempt.problem.pdef);
-    attempt.planner->setup();
-    attempt.status = attempt.planner->solve(ob::plannerNonTerminatingCondition());
-    if (attempt.problem.pdef->hasExactSolution())
-        attempt.path = attempt.problem.space->unwrap(*attempt.problem.pdef->getSolutionPath()->as<og::PathGeometric>());
-    return attempt;
+    return attempt<HPPM>("hppm", scenario, seed, parameters);
 }
 
 /// Case 1 with circles so large that the goal is only `clearance` away from both.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <ompl/util/Console.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include "CorridorScene.h"
 #include "PaperCases.h"
+#include "PlannerAttempt.h"
 #include "planners/Threader.h"
-#include "scenario/Problem.h"
 
 namespace narrows
 {
@@ -14,34 +12,13 @@ namespace
 {
 using Parameters = std::map<std::string, std::string>;
 
-struct Attempt
-{
-    Problem problem;
-    std::shared_ptr<Threader> planner;
-    ob::PlannerStatus status;
-    std::vector<Eigen::VectorXd> path;  ///< empty without a solution
-
-    double measure(const std::string &name) const
-    {
-        const auto found = planner->measures().find(name);
-        return found == planner->measures().end() ? 0.0 : found->second;
-    }
-};
+using Attempt = PlannerAttempt<Threader>;
 
 Attempt solve(const Scenario &scenario, std::uint32_t seed, Parameters parameters = {},
               const ProblemOptions &options = {})
 {
-    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-    ompl::RNG::setSeed(seed);
     parameters.insert({"rounds", "12"});
-    Attempt attempt{makeProblem(scenario, options), nullptr, {}, {}};
-    attempt.planner = std::dynamic_pointer_cast<Threader>(makePlanner("threader", attempt.problem.context, parameters));
-    attempt.planner->setProblemDefinition(attempt.problem.pdef);
-    attempt.planner->setup();
-    attempt.status = attempt.planner->solve(ob::plannerNonTerminatingCondition());
-    if (attempt.problem.pdef->hasExactSolution())
-        attempt.path = attempt.problem.space->unwrap(*attempt.problem.pdef->getSolutionPath()->as<og::PathGeometric>());
-    return attempt;
+    return attempt<Threader>("threader", scenario, seed, parameters, options);
 }
 
 void expectSolved(const Scenario &scenario, const Attempt &attempt)

@@ -278,13 +278,6 @@ void HPPM::getPlannerData(ob::PlannerData &data) const
 {
     Planner::getPlannerData(data);
     for (std::size_t k = 0; k < traces_.size(); ++k)
-    {
-        const std::vector<ob::State *> &states = traces_[k]->getStates();
-        data.addStartVertex(ob::PlannerDataVertex(states.front()));
-        for (std::size_t i = 1; i < states.size(); ++i)
-            data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
-        if (reached_[k])
-            data.addGoalVertex(ob::PlannerDataVertex(states.back()));
-    }
+        addPath(*traces_[k], reached_[k], data);
 }
 }  // namespace narrows

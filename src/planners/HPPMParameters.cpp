@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "planners/HPPM.h"
 #include "planners/NumberList.h"
+#include "planners/Require.h"
 
 namespace narrows
 {
 namespace
 {
-void require(bool condition, const std::string &message)
-{
-    if (!condition)
-        throw std::invalid_argument(message);
-}
-
 /// Whole numbers, one per joint, or none.
 Eigen::VectorXi readPerJoint(const std::string &name, const std::string &list, Eigen::Index joints, int largest)
 {

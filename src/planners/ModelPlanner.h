@@ -6,6 +6,7 @@
 #include <string>
 
 #include <ompl/base/Planner.h>
+#include <ompl/geometric/PathGeometric.h>
 #include <Eigen/Core>
 
 #include "spaces/Ompl.h"
@@ -40,6 +41,10 @@ public:
     }
 
 protected:
+    /// A solution's states and motions for getPlannerData(), the first state as a start.
+    /// \param reached whether the last one is a goal
+    static void addPath(const og::PathGeometric &path, bool reached, ob::PlannerData &data);
+
     std::string reason_;
     std::map<std::string, double> measures_;
 };

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <stdexcept>
 
+#include "planners/Require.h"
 #include "planners/Threader.h"
 
 namespace narrows
 {
-namespace
-{
-void require(bool condition, const std::string &message)
-{
-    if (!condition)
-        throw std::invalid_argument(message);
-}
-}  // namespace
-
 void Threader::declareParameters()
 {
     declareParam<bool>("straight", this, &Threader::setStraight, &Threader::getStraight, "0,1");

@@ -163,16 +163,7 @@ void TightManeuvering::clear()
 void TightManeuvering::getPlannerData(ob::PlannerData &data) const
 {
     ModelPlanner::getPlannerData(data);
-    if (!path_)
-        return;
-    const std::vector<ob::State *> &states = path_->getStates();
-    data.addStartVertex(ob::PlannerDataVertex(states.front()));
-    for (std::size_t i = 1; i < states.size(); ++i)
-    {
-        const ob::PlannerDataVertex vertex(states[i]);
-        if (i + 1 == states.size() && reason_.empty())
-            data.addGoalVertex(vertex);
-        data.addEdge(ob::PlannerDataVertex(states[i - 1]), vertex);
-    }
+    if (path_)
+        addPath(*path_, reason_.empty(), data);
 }
 }  // namespace narrows

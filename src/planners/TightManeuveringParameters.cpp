@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <stdexcept>
 
+#include "planners/Require.h"
 #include "planners/TightManeuvering.h"
 
 namespace narrows
 {
 namespace
 {
-void require(bool condition, const std::string &message)
-{
-    if (!condition)
-        throw std::invalid_argument(message);
-}
-
 void requireCount(int value, int most, const std::string &name)
 {
     require(value >= 1 && value <= most, name + " must lie between 1 and " + std::to_string(most));

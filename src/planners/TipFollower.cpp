@@ -186,13 +186,7 @@ void TipFollower::clear()
 void TipFollower::getPlannerData(ob::PlannerData &data) const
 {
     Planner::getPlannerData(data);
-    if (!path_)
-        return;
-    const std::vector<ob::State *> &states = path_->getStates();
-    data.addStartVertex(ob::PlannerDataVertex(states.front()));
-    for (std::size_t i = 1; i < states.size(); ++i)
-        data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
-    if (isDone())
-        data.addGoalVertex(ob::PlannerDataVertex(states.back()));
+    if (path_)
+        addPath(*path_, isDone(), data);
 }
 }  // namespace narrows

@@ -214,16 +214,7 @@ std::map<std::string, std::string> VDSM::recipe() const
 void VDSM::getPlannerData(ob::PlannerData &data) const
 {
     ModelPlanner::getPlannerData(data);
-    if (!path_)
-        return;
-    const std::vector<ob::State *> &states = path_->getStates();
-    data.addStartVertex(ob::PlannerDataVertex(states.front()));
-    for (std::size_t i = 1; i < states.size(); ++i)
-    {
-        const ob::PlannerDataVertex vertex(states[i]);
-        if (i + 1 == states.size() && best_->reason.empty())
-            data.addGoalVertex(vertex);
-        data.addEdge(ob::PlannerDataVertex(states[i - 1]), vertex);
-    }
+    if (path_)
+        addPath(*path_, best_->reason.empty(), data);
 }
 }  // namespace narrows

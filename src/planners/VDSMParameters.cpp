@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
-#include <stdexcept>
 #include <utility>
 
 #include "planners/NumberList.h"
+#include "planners/Require.h"
 #include "planners/VDSM.h"
 
 namespace narrows
 {
 namespace
 {
-void require(bool condition, const std::string &message)
-{
-    if (!condition)
-        throw std::invalid_argument(message);
-}
-
 constexpr std::array<std::pair<const char *, ScalingMode>, 4> modes{{{"paper_nearest", ScalingMode::PaperNearest},
                                                                      {"paper_vertical", ScalingMode::PaperVertical},
                                                                      {"branch", ScalingMode::Branch},

@@ -247,16 +247,7 @@ void ViaPointHomotopy::getPlannerData(ob::PlannerData &data) const
     ModelPlanner::getPlannerData(data);
     if (chain_)
         chain_->getPlannerData(data);
-    if (!path_)
-        return;
-    const unsigned int states = static_cast<unsigned int>(path_->getStateCount());
-    data.addStartVertex(ob::PlannerDataVertex(path_->getState(0)));
-    for (unsigned int i = 1; i < states; ++i)
-    {
-        const ob::PlannerDataVertex vertex(path_->getState(i));
-        if (i + 1 == states)
-            data.addGoalVertex(vertex);
-        data.addEdge(ob::PlannerDataVertex(path_->getState(i - 1)), vertex);
-    }
+    if (path_)
+        addPath(*path_, true, data);
 }
 }  // namespace narrows

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <stdexcept>
 
 #include "planners/NumberList.h"
+#include "planners/Require.h"
 #include "planners/ViaPointHomotopy.h"
 
 namespace narrows
@@ -10,12 +10,6 @@ namespace narrows
 namespace
 {
 constexpr int mostEvaluations = 1'000'000;
-
-void require(bool condition, const std::string &message)
-{
-    if (!condition)
-        throw std::invalid_argument(message);
-}
 
 std::string textOf(const Eigen::VectorXd &values)
 {
