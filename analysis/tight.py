@@ -44,9 +44,9 @@ def read(paths):
 
 
 def split(group):
-    """Scene and link length of a group's name, such as ladder_length540_shapeL."""
+    """Scene and link length of a group's name, such as ladder_shapeL_length540_analytic."""
     length = re.search(r"_length([0-9.]+)", group)
-    shape = re.search(r"_shape(\w+)", group)
+    shape = re.search(r"_shape([^_]+)", group)
     if length is None:
         raise ValueError(f"{group}: no link length in it; this table is for tight_index*.cfg")
     return (shape or re.match(r"([a-z]+)", group)).group(1), float(length.group(1))

@@ -37,22 +37,22 @@ def table(tmp_path, capsys):
 
 
 def test_longest_solved_length_and_its_index(table):
-    rows = [("ladder_length400_shapeU40", "relax", 1, None), ("ladder_length425_shapeU40", "relax", 1, None),
-            ("ladder_length435_shapeU40", "relax", 0, "jump"), ("ladder_length400_shapeU40", "beams", 0, "jump"),
-            ("boxes_length84", "relax", 1, None)]
+    rows = [("ladder_shapeU40_length400_analytic", "relax", 1, None), ("ladder_shapeU40_length425_analytic", "relax", 1, None),
+            ("ladder_shapeU40_length435_analytic", "relax", 0, "jump"), ("ladder_shapeU40_length400_analytic", "beams", 0, "jump"),
+            ("boxes_length84_analytic", "relax", 1, None)]
     assert table(rows)[2:] == ["| U40 | none | 425 (0.988) | 430, exact |", "| boxes |  | 84 | not known |"]
 
 
 def test_star_where_a_shorter_length_was_not_solved(table):
-    rows = [("bends_length50", "beams", 1, None), ("bends_length60", "beams", 0, "jump"),
-            ("bends_length70.5", "beams", 1, None)]
+    rows = [("bends_length50_analytic", "beams", 1, None), ("bends_length60_analytic", "beams", 0, "jump"),
+            ("bends_length70.5_analytic", "beams", 1, None)]
     assert table(rows)[2] == "| bends | 70.5 (0.681)\\* | 103.48, of a flat bend |"
 
 
 def test_random_scenes_with_their_reasons(table):
-    rows = [("ducts_index0.8", "tight", 1, None), ("ducts_index0.8", "tight", 0, "jump"),
-            ("ducts_index0.8", "tight", 0, None)]
-    assert table(rows, "--random")[2] == "| ducts_index0.8 | tight | 1 of 3 | 0.5 | jump 1, no_solution 1 |"
+    rows = [("ducts_index0.8_analytic", "tight", 1, None), ("ducts_index0.8_analytic", "tight", 0, "jump"),
+            ("ducts_index0.8_analytic", "tight", 0, None)]
+    assert table(rows, "--random")[2] == "| ducts_index0.8_analytic | tight | 1 of 3 | 0.5 | jump 1, no_solution 1 |"
 
 
 def test_other_campaigns_are_refused(table):
