@@ -27,33 +27,6 @@ inline std::vector<PlanarObstacle> obstaclesOf(const std::vector<AxisBox<2>> &wa
     return obstacles;
 }
 
-/// Of a point from the walls, inside of one minus the way out of it.
-template <int D>
-std::function<double(const Eigen::Matrix<double, D, 1> &)> signedDistance(const std::vector<AxisBox<D>> &walls)
-{
-    return [walls](const Eigen::Matrix<double, D, 1> &point)
-    {
-        double least = std::numeric_limits<double>::infinity();
-        for (const AxisBox<D> &wall : walls)
-        {
-            const double inside = (wall.lower - point).cwiseMax(point - wall.upper).maxCoeff();
-            least = std::min(least, inside < 0.0 ? inside : wall.distance(point));
-        }
-        return least;
-    };
-}
-
-inline AxisBox<2> boundsOf(const std::vector<AxisBox<2>> &walls)
-{
-    AxisBox<2> bounds = walls.front();
-    for (const AxisBox<2> &wall : walls)
-    {
-        bounds.lower = bounds.lower.cwiseMin(wall.lower);
-        bounds.upper = bounds.upper.cwiseMax(wall.upper);
-    }
-    return bounds;
-}
-
 /// The cheapest corridor on a grid of 10, windowed.
 inline PointPath<2> middleOf(const ChainScene<2> &scene)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,6 +30,35 @@ struct AxisBox
 /// of the solid's and the rooms' sides; the same input gives the same boxes in the same order.
 template <int D>
 std::vector<AxisBox<D>> wallsAround(const std::vector<AxisBox<D>> &rooms, const AxisBox<D> &solid);
+
+/// Of a point from the walls, inside of one minus the way out of it.
+template <int D>
+std::function<double(const Eigen::Matrix<double, D, 1> &)> signedDistance(const std::vector<AxisBox<D>> &walls)
+{
+    return [walls](const Eigen::Matrix<double, D, 1> &point)
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const AxisBox<D> &wall : walls)
+        {
+            const double inside = (wall.lower - point).cwiseMax(point - wall.upper).maxCoeff();
+            least = std::min(least, inside < 0.0 ? inside : wall.distance(point));
+        }
+        return least;
+    };
+}
+
+/// The least box around all of them.
+/// \pre at least one
+inline AxisBox<2> boundsOf(const std::vector<AxisBox<2>> &walls)
+{
+    AxisBox<2> bounds = walls.front();
+    for (const AxisBox<2> &wall : walls)
+    {
+        bounds.lower = bounds.lower.cwiseMin(wall.lower);
+        bounds.upper = bounds.upper.cwiseMax(wall.upper);
+    }
+    return bounds;
+}
 
 extern template std::vector<AxisBox<2>> wallsAround(const std::vector<AxisBox<2>> &, const AxisBox<2> &);
 extern template std::vector<AxisBox<3>> wallsAround(const std::vector<AxisBox<3>> &, const AxisBox<3> &);
