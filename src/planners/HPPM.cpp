@@ -13,10 +13,7 @@
 namespace narrows
 {
 HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionModel> model)
-  : ModelPlanner(si, "HPPM"),
-    model_(std::move(model)),
-    space_(si->getStateSpace()->as<ArmStateSpace>()),
-    startState_(si)
+  : ModelPlanner(si, "HPPM"), model_(std::move(model)), space_(si->getStateSpace()->as<ArmStateSpace>())
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
@@ -33,20 +30,8 @@ ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
     if (!takeStart())
         return ob::PlannerStatus::INVALID_START;
+    space_->toConfiguration(startState_->get(), start_);
     return restarts_ ? restart(ptc) : followGiven(ptc);
-}
-
-bool HPPM::takeStart()
-{
-    if (started_)
-        return true;
-    const ob::State *state = pis_.nextStart();
-    if (state == nullptr)
-        return false;
-    si_->copyState(startState_.get(), state);
-    space_->toConfiguration(state, start_);
-    started_ = true;
-    return true;
 }
 
 ob::PlannerStatus HPPM::followGiven(const ob::PlannerTerminationCondition &ptc)
@@ -217,7 +202,7 @@ std::shared_ptr<og::PathGeometric> HPPM::toPath(const Trace &trace, bool fromGoa
     if (reached && states.size() == 1)
         states.push_back(si_->cloneState(goal));
     if (reached || !fromGoal)
-        si_->copyState(states.front(), startState_.get());
+        si_->copyState(states.front(), startState_->get());
     if (reached || fromGoal)
         si_->copyState(states.back(), goal);
     return path;
@@ -250,15 +235,12 @@ void HPPM::measure(const Trace &trace)
 
 void HPPM::clear()
 {
-    Planner::clear();
-    started_ = false;
+    ModelPlanner::clear();
     targets_.clear();
     attempts_ = 0;
     last_.reset();
     traces_.clear();
     reached_.clear();
-    reason_.clear();
-    measures_.clear();
 }
 
 std::map<std::string, std::string> HPPM::recipe() const

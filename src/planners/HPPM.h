@@ -123,7 +123,6 @@ private:
 
     void declareParameters();
     Eigen::Index joints() const { return model_->dimension(); }
-    bool takeStart();
     ob::PlannerStatus followGiven(const ob::PlannerTerminationCondition &ptc);
     ob::PlannerStatus restart(const ob::PlannerTerminationCondition &ptc);
     /// The status when nothing is left to try: a solution of an earlier call still stands.
@@ -182,8 +181,6 @@ private:
     SphereOptions spheres_;
 
     ompl::RNG random_;
-    bool started_ = false;
-    ob::ScopedState<> startState_;
     Eigen::VectorXd start_;
     std::vector<Target> targets_;  ///< nearest first
     int attempts_ = 0;

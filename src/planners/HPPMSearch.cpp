@@ -46,11 +46,11 @@ bool HPPM::takeTargets(const ob::PlannerTerminationCondition &ptc)
 
 HPPM::Target HPPM::makeTarget(const ob::State *goal) const
 {
-    Target target{ob::ScopedState<>(si_), si_->distance(startState_.get(), goal), {}, std::nullopt};
+    Target target{ob::ScopedState<>(si_), si_->distance(startState_->get(), goal), {}, std::nullopt};
     si_->copyState(target.state.get(), goal);
     target.ends.start = start_;
     target.ends.turns = Eigen::VectorXi::Zero(joints());
-    const double *from = startState_->as<ob::RealVectorStateSpace::StateType>()->values;
+    const double *from = startState_->get()->as<ob::RealVectorStateSpace::StateType>()->values;
     const double *to = goal->as<ob::RealVectorStateSpace::StateType>()->values;
     for (int j = 0; j < static_cast<int>(joints()); ++j)
         if (space_->wraps(static_cast<unsigned int>(j)))
@@ -65,9 +65,9 @@ HPPM::Target HPPM::makeTarget(const ob::State *goal) const
 
 bool HPPM::goStraight(const Target &target)
 {
-    if (!si_->checkMotion(startState_.get(), target.state.get()))
+    if (!si_->checkMotion(startState_->get(), target.state.get()))
         return false;
-    auto path = std::make_shared<og::PathGeometric>(si_, startState_.get());
+    auto path = std::make_shared<og::PathGeometric>(si_, startState_->get());
     path->append(target.state.get());
     keep(std::move(path), true);
     return true;

@@ -26,6 +26,8 @@ ob::PlannerStatus LegByLeg::solve(const ob::PlannerTerminationCondition &ptc)
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
     if (!takeStart())
         return ob::PlannerStatus::INVALID_START;
+    if (!path_)
+        path_ = std::make_shared<og::PathGeometric>(si_, startState_->get());
     reason_.clear();
     bool stuck = false;
     while (!isDone() && !stuck && !ptc)
@@ -37,17 +39,6 @@ ob::PlannerStatus LegByLeg::solve(const ob::PlannerTerminationCondition &ptc)
     if (!pdef_->hasExactSolution())
         pdef_->addSolutionPath(std::make_shared<og::PathGeometric>(*path_), false, 0.0, getName());
     return ob::PlannerStatus::EXACT_SOLUTION;
-}
-
-bool LegByLeg::takeStart()
-{
-    if (path_)
-        return true;
-    const ob::State *state = pis_.nextStart();
-    if (state == nullptr)
-        return false;
-    path_ = std::make_shared<og::PathGeometric>(si_, state);
-    return true;
 }
 
 const TipPathGoal &LegByLeg::goal() const
@@ -152,13 +143,11 @@ ob::PlannerStatus LegByLeg::giveUp(bool expired)
 
 void LegByLeg::clear()
 {
-    Planner::clear();
+    ModelPlanner::clear();
     path_.reset();
     legs_.clear();
     reached_ = 0;
     planning_ = false;
-    reason_.clear();
-    measures_.clear();
 }
 
 void LegByLeg::getPlannerData(ob::PlannerData &data) const

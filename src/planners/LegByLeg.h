@@ -40,7 +40,6 @@ public:
     void getPlannerData(ob::PlannerData &data) const override;
 
 private:
-    bool takeStart();
     const TipPathGoal &goal() const;
     bool isDone() const { return reached_ == goal().path().points.size(); }
     void beginLeg(const ob::GoalPtr &end);

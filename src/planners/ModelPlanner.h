@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include <ompl/base/Planner.h>
+#include <ompl/base/ScopedState.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <Eigen/Core>
 
@@ -40,11 +42,21 @@ public:
         return none;
     }
 
+    void clear() override;
+
 protected:
+    /// What comes before any search: the goal's type, the start, a solution that the problem has already. UNKNOWN if a
+    /// search may begin or go on; anything else is what solve() returns. The reason is timeout from here on.
+    ob::PlannerStatus open(const ob::PlannerTerminationCondition &ptc);
+
+    /// Takes the problem's first valid start, once. False if there is none.
+    bool takeStart();
+
     /// A solution's states and motions for getPlannerData(), the first state as a start.
     /// \param reached whether the last one is a goal
     static void addPath(const og::PathGeometric &path, bool reached, ob::PlannerData &data);
 
+    std::optional<ob::ScopedState<>> startState_;  ///< after takeStart()
     std::string reason_;
     std::map<std::string, double> measures_;
 };

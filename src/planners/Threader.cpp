@@ -224,14 +224,12 @@ void Threader::measure()
 
 void Threader::clear()
 {
-    Planner::clear();
+    ModelPlanner::clear();
     search_.reset();
     members_.clear();
     member_ = 0;
     round_ = used_ = fullSamples_ = tries_ = 0;
     curves_.reset();
-    reason_.clear();
-    measures_.clear();
 }
 
 void Threader::getPlannerData(ob::PlannerData &data) const

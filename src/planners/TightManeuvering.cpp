@@ -32,19 +32,14 @@ std::string TightManeuvering::whyUnsupported(const PlanarModel *planar, const Sp
 
 ob::PlannerStatus TightManeuvering::solve(const ob::PlannerTerminationCondition &ptc)
 {
-    checkValidity();
-    if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
-        return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-    if (!takeStart())
-        return ob::PlannerStatus::INVALID_START;
-    if (pdef_->hasExactSolution())
-        return ob::PlannerStatus::EXACT_SOLUTION;
-    reason_ = "timeout";
-    if (ptc)
-        return ob::PlannerStatus::TIMEOUT;
+    if (const ob::PlannerStatus opened = open(ptc); opened != ob::PlannerStatus::UNKNOWN)
+        return opened;
     if (runs_.empty())
+    {
+        si_->getStateSpace()->as<ArmStateSpace>()->toConfiguration(startState_->get(), start_);
         if (const ob::PlannerStatus refusal = takeGoals(ptc); refusal != ob::PlannerStatus::UNKNOWN)
             return refusal;
+    }
     while (!ptc && current_ < runs_.size())
         if (tryNext(ptc))
         {
@@ -58,18 +53,6 @@ ob::PlannerStatus TightManeuvering::solve(const ob::PlannerTerminationCondition 
         return ob::PlannerStatus::TIMEOUT;
     }
     return ob::PlannerStatus::ABORT;
-}
-
-bool TightManeuvering::takeStart()
-{
-    if (started_)
-        return true;
-    const ob::State *state = pis_.nextStart();
-    if (state == nullptr)
-        return false;
-    si_->getStateSpace()->as<ArmStateSpace>()->toConfiguration(state, start_);
-    started_ = true;
-    return true;
 }
 
 /// UNKNOWN if there is something to do.
@@ -152,12 +135,9 @@ void TightManeuvering::collectMeasures()
 void TightManeuvering::clear()
 {
     ModelPlanner::clear();
-    started_ = false;
     runs_.clear();
     current_ = 0;
     path_.reset();
-    reason_.clear();
-    measures_.clear();
 }
 
 void TightManeuvering::getPlannerData(ob::PlannerData &data) const

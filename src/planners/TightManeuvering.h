@@ -68,7 +68,6 @@ public:
 
 private:
     void declareParameters();
-    bool takeStart();
     ob::PlannerStatus takeGoals(const ob::PlannerTerminationCondition &ptc);
     void addRun(const ob::State *goal);
     /// Makes the next try; true if it solved.
@@ -80,7 +79,6 @@ private:
     std::shared_ptr<const SpatialModel> spatial_;
     TightSettings settings_;
 
-    bool started_ = false;
     Eigen::VectorXd start_;
     std::vector<std::unique_ptr<TightRun>> runs_;  ///< one per goal
     std::size_t current_ = 0;

@@ -174,13 +174,11 @@ ob::PlannerStatus TipFollower::conclude(bool expired)
 
 void TipFollower::clear()
 {
-    Planner::clear();
+    ModelPlanner::clear();
     search_.reset();
     waypoints_.clear();
     next_ = 0;
     path_.reset();
-    reason_.clear();
-    measures_.clear();
 }
 
 void TipFollower::getPlannerData(ob::PlannerData &data) const

@@ -54,18 +54,16 @@ std::string VDSM::whyUnsupported(const SpatialModel *model)
 
 ob::PlannerStatus VDSM::solve(const ob::PlannerTerminationCondition &ptc)
 {
-    checkValidity();
-    if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
-        return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-    if (!takeStart())
-        return ob::PlannerStatus::INVALID_START;
-    if (pdef_->hasExactSolution())
-        return ob::PlannerStatus::EXACT_SOLUTION;
-    if (ptc)
+    if (const ob::PlannerStatus opened = open(ptc); opened == ob::PlannerStatus::TIMEOUT)
         return finish(true);
+    else if (opened != ob::PlannerStatus::UNKNOWN)
+        return opened;
     if (searches_.empty())
+    {
+        space_->toConfiguration(startState_->get(), start_);
         if (const std::optional<ob::PlannerStatus> refusal = takeGoal(ptc))
             return *refusal;
+    }
     while (!ptc && current_ < searches_.size())
         if (tryNext(ptc))
         {
@@ -74,18 +72,6 @@ ob::PlannerStatus VDSM::solve(const ob::PlannerTerminationCondition &ptc)
             return ob::PlannerStatus::EXACT_SOLUTION;
         }
     return finish(current_ < searches_.size());
-}
-
-bool VDSM::takeStart()
-{
-    if (started_)
-        return true;
-    const ob::State *state = pis_.nextStart();
-    if (state == nullptr)
-        return false;
-    space_->toConfiguration(state, start_);
-    started_ = true;
-    return true;
 }
 
 /// Makes the searches. A status if there is nothing to search for.
@@ -196,14 +182,11 @@ ob::PlannerStatus VDSM::finish(bool timeout)
 void VDSM::clear()
 {
     ModelPlanner::clear();
-    started_ = false;
     searches_.clear();
     current_ = 0;
     best_.reset();
     path_.reset();
     recipe_.clear();
-    reason_.clear();
-    measures_.clear();
 }
 
 std::map<std::string, std::string> VDSM::recipe() const

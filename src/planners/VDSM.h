@@ -75,7 +75,6 @@ public:
 
 private:
     void declareParameters();
-    bool takeStart();
     std::optional<ob::PlannerStatus> takeGoal(const ob::PlannerTerminationCondition &ptc);
     void addSearch(const std::vector<Eigen::Vector3d> &tips, std::optional<Eigen::VectorXd> target);
     ob::PlannerStatus finish(bool timeout);
@@ -107,7 +106,6 @@ private:
     ChainGeometry chain_;
     ScalingSettings settings_;
 
-    bool started_ = false;
     Eigen::VectorXd start_;
     std::vector<Search> searches_;  ///< one per goal
     std::size_t current_ = 0;

@@ -44,16 +44,8 @@ ViaPointHomotopy::ViaPointHomotopy(const ob::SpaceInformationPtr &si, bool selfC
 
 ob::PlannerStatus ViaPointHomotopy::solve(const ob::PlannerTerminationCondition &ptc)
 {
-    checkValidity();
-    if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
-        return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-    if (!takeStart())
-        return ob::PlannerStatus::INVALID_START;
-    if (pdef_->hasExactSolution())
-        return ob::PlannerStatus::EXACT_SOLUTION;
-    reason_ = "timeout";
-    if (ptc)
-        return ob::PlannerStatus::TIMEOUT;
+    if (const ob::PlannerStatus opened = open(ptc); opened != ob::PlannerStatus::UNKNOWN)
+        return opened;
     if (!goal_)
     {
         // Only the first goal is worth waiting for; the trees ask for more.
@@ -80,23 +72,12 @@ ob::PlannerStatus ViaPointHomotopy::solve(const ob::PlannerTerminationCondition 
     return ob::PlannerStatus::EXACT_SOLUTION;
 }
 
-bool ViaPointHomotopy::takeStart()
-{
-    if (start_)
-        return true;
-    const ob::State *state = pis_.nextStart();
-    if (state == nullptr)
-        return false;
-    start_.emplace(si_->getStateSpace(), state);
-    return true;
-}
-
 std::optional<og::PathGeometric> ViaPointHomotopy::polyline(const ob::PlannerTerminationCondition &ptc)
 {
     if (stage_ == Stage::Straight)
     {
-        if (si_->checkMotion(start_->get(), goal_->get()))
-            return og::PathGeometric(si_, start_->get(), goal_->get());
+        if (si_->checkMotion(startState_->get(), goal_->get()))
+            return og::PathGeometric(si_, startState_->get(), goal_->get());
         stage_ = Stage::OneVia;
     }
     while (stage_ == Stage::OneVia && attempts_ < viaAttempts_ && !ptc)
@@ -113,17 +94,17 @@ std::optional<og::PathGeometric> ViaPointHomotopy::polyline(const ob::PlannerTer
 
 std::optional<og::PathGeometric> ViaPointHomotopy::throughOneVia()
 {
-    const double spread =
-        viaSpread * si_->distance(start_->get(), goal_->get()) / std::sqrt(static_cast<double>(space_->getDimension()));
+    const double spread = viaSpread * si_->distance(startState_->get(), goal_->get()) /
+                          std::sqrt(static_cast<double>(space_->getDimension()));
     ob::ScopedState<> via(si_->getStateSpace());
-    space_->interpolate(start_->get(), goal_->get(), 0.5, via.get());
+    space_->interpolate(startState_->get(), goal_->get(), 0.5, via.get());
     for (unsigned int i = 0; i < space_->getDimension(); ++i)
         via[i] += rng_.gaussian(0.0, spread);
     via.enforceBounds();
-    if (!si_->isValid(via.get()) || !si_->checkMotion(start_->get(), via.get()) ||
+    if (!si_->isValid(via.get()) || !si_->checkMotion(startState_->get(), via.get()) ||
         !si_->checkMotion(via.get(), goal_->get()))
         return std::nullopt;
-    og::PathGeometric path(si_, start_->get(), via.get());
+    og::PathGeometric path(si_, startState_->get(), via.get());
     path.append(goal_->get());
     return path;
 }
@@ -135,7 +116,7 @@ std::optional<og::PathGeometric> ViaPointHomotopy::throughChain(const ob::Planne
         const auto trees = std::make_shared<og::RRTConnect>(si_);
         trees->setRange(range_);
         const auto problem = std::make_shared<ob::ProblemDefinition>(si_);
-        problem->addStartState(*start_);
+        problem->addStartState(*startState_);
         problem->setGoal(pdef_->getGoal());
         trees->setProblemDefinition(problem);
         trees->setup();
@@ -231,15 +212,12 @@ void ViaPointHomotopy::clear()
 {
     ModelPlanner::clear();
     stage_ = Stage::Straight;
-    start_.reset();
     goal_.reset();
     attempts_ = 0;
     chain_.reset();
     path_.reset();
     vias_.resize(0, 0);
     trajectory_.reset();
-    reason_.clear();
-    measures_.clear();
 }
 
 void ViaPointHomotopy::getPlannerData(ob::PlannerData &data) const

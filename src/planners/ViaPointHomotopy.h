@@ -85,7 +85,6 @@ private:
     Eigen::VectorXd limitsFrom(const std::string &text, const char *name) const;
     std::vector<MotionLimits> limits() const;
 
-    bool takeStart();
     /// A free polyline, or nothing if time is up or the trees gave up.
     std::optional<og::PathGeometric> polyline(const ob::PlannerTerminationCondition &ptc);
     std::optional<og::PathGeometric> throughOneVia();
@@ -110,7 +109,7 @@ private:
     double range_ = 0.0;
 
     Stage stage_ = Stage::Straight;
-    std::optional<ob::ScopedState<>> start_, goal_;
+    std::optional<ob::ScopedState<>> goal_;
     int attempts_ = 0;                       ///< at one via
     ob::PlannerPtr chain_;                   ///< grows the trees
     std::optional<og::PathGeometric> path_;  ///< the solution
