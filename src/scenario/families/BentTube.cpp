@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/GapArm.h"
 #include "scenario/families/GapShape.h"
@@ -48,16 +49,14 @@ public:
     ArmScene draw()
     {
         constexpr int startsPerGoal = 20;
-        for (int i = 0; i < mostDraws; ++i)
-        {
-            GapArm arm(drawLengths(), links_);
-            if (!drawGoal(arm) || !canWithdraw(arm))
-                continue;
-            for (int j = 0; j < startsPerGoal; ++j)
-                if (drawStart(arm))
-                    return scene_;
-        }
-        throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+        drawUntilOneWillDo(mostDraws,
+                           [this]()
+                           {
+                               GapArm arm(drawLengths(), links_);
+                               return drawGoal(arm) && canWithdraw(arm) &&
+                                      oneWillDo(startsPerGoal, [&]() { return drawStart(arm); });
+                           });
+        return scene_;
     }
 
 private:

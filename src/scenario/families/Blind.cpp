@@ -4,8 +4,8 @@
 // and entered from outside, and followed until the whole chain and its base are through. The witness stretches the
 // chain along the slide, carries it through and bends it again.
 #include <cmath>
-#include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/GapShape.h"
 #include "scenario/families/RandomNumbers.h"
@@ -35,14 +35,14 @@ public:
 
     ArmScene draw()
     {
-        for (int i = 0; i < mostDraws; ++i)
-        {
-            drawChain();
-            drawWalls();
-            if (drawEnds())
-                return scene_;
-        }
-        throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+        drawUntilOneWillDo(mostDraws,
+                           [this]()
+                           {
+                               drawChain();
+                               drawWalls();
+                               return drawEnds();
+                           });
+        return scene_;
     }
 
 private:

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
-#include <string>
+
+#include "scenario/families/Draws.h"
 
 namespace narrows
 {
@@ -71,9 +71,13 @@ Vector3d pointOfLine(const std::vector<Vector3d> &line, double way)
 std::vector<Vector3d> drawDuct(RandomNumbers &random, int bends, const DuctLattice &lattice)
 {
     constexpr int mostDraws = 100000;
-    for (int i = 0; i < mostDraws; ++i)
-        if (const auto line = walkOnce(random, bends, lattice))
-            return *line;
-    throw std::invalid_argument("no such duct was found in " + std::to_string(mostDraws) + " draws");
+    std::optional<std::vector<Vector3d>> line;
+    drawUntilOneWillDo(mostDraws,
+                       [&]()
+                       {
+                           line = walkOnce(random, bends, lattice);
+                           return line.has_value();
+                       });
+    return *line;
 }
 }  // namespace narrows

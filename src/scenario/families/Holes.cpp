@@ -3,8 +3,8 @@
 // holes of walls; the first four, two carriers of two links each, can draw them back along it, which is the witness.
 // Then the chain bends away to the start. See Threading.cpp for the same in the plane.
 #include <cmath>
-#include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/RandomNumbers.h"
 
@@ -60,15 +60,10 @@ public:
     SpaceScene draw()
     {
         constexpr int startsPerGoal = 20;
-        for (int i = 0; i < mostDraws; ++i)
-        {
-            if (!drawGoal() || !canWithdraw())
-                continue;
-            for (int j = 0; j < startsPerGoal; ++j)
-                if (drawStart())
-                    return scene_;
-        }
-        throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+        drawUntilOneWillDo(
+            mostDraws, [this]()
+            { return drawGoal() && canWithdraw() && oneWillDo(startsPerGoal, [this]() { return drawStart(); }); });
+        return scene_;
     }
 
 private:

@@ -4,8 +4,8 @@
 // moves the base and lets every joint follow the way's middle line, each at the first place that is a link's length
 // ahead of the one before.
 #include <cmath>
-#include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/MazeGrid.h"
 #include "scenario/families/RandomNumbers.h"
@@ -131,14 +131,15 @@ ArmScene drawMaze(const FamilyValues &values)
 {
     constexpr int mostDraws = 200;
     RandomNumbers random(static_cast<std::uint64_t>(values.at("seed")));
-    for (int i = 0; i < mostDraws; ++i)
-    {
-        const ArmScene scene = drawOnce(values, random);
-        if (judgeMotion(scene, scene.start, scene.goal) == Motion::Blocked &&
-            judgePath(scene, scene.witness) == Motion::Free)
-            return scene;
-    }
-    throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+    ArmScene scene;
+    drawUntilOneWillDo(mostDraws,
+                       [&]()
+                       {
+                           scene = drawOnce(values, random);
+                           return judgeMotion(scene, scene.start, scene.goal) == Motion::Blocked &&
+                                  judgePath(scene, scene.witness) == Motion::Free;
+                       });
+    return scene;
 }
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/GapShape.h"
 #include "scenario/families/RandomNumbers.h"
@@ -37,15 +38,16 @@ public:
 
     ArmScene draw()
     {
-        for (int i = 0; i < mostDraws; ++i)
-        {
-            scene_ = {};
-            scene_.lengths = cut({reach}, links_);
-            drawWay();
-            if (drawObstacles() && judgeMotion(scene_, scene_.start, scene_.goal) == Motion::Blocked)
-                return scene_;
-        }
-        throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+        drawUntilOneWillDo(mostDraws,
+                           [this]()
+                           {
+                               scene_ = {};
+                               scene_.lengths = cut({reach}, links_);
+                               drawWay();
+                               return drawObstacles() &&
+                                      judgeMotion(scene_, scene_.start, scene_.goal) == Motion::Blocked;
+                           });
+        return scene_;
     }
 
 private:

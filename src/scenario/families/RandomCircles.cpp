@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/RandomNumbers.h"
 
@@ -65,16 +66,17 @@ ArmScene drawCircles(const FamilyValues &values)
     if (values.at("min_circles") > values.at("max_circles") || values.at("min_radius") > values.at("max_radius"))
         throw std::invalid_argument("a minimum is larger than its maximum");
     RandomNumbers random(static_cast<std::uint64_t>(values.at("seed")));
-    for (int i = 0; i < mostDraws; ++i)
-    {
-        const ArmScene scene = drawOnce(random, values);
-        if (clearance(scene, scene.start) <= values.at("clearance") ||
-            clearance(scene, scene.goal) <= values.at("clearance"))
-            continue;
-        if (values.at("blocked") == 0.0 || judgeMotion(scene, scene.start, scene.goal) == Motion::Blocked)
-            return scene;
-    }
-    throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+    ArmScene scene;
+    drawUntilOneWillDo(
+        mostDraws,
+        [&]()
+        {
+            scene = drawOnce(random, values);
+            return clearance(scene, scene.start) > values.at("clearance") &&
+                   clearance(scene, scene.goal) > values.at("clearance") &&
+                   (values.at("blocked") == 0.0 || judgeMotion(scene, scene.start, scene.goal) == Motion::Blocked);
+        });
+    return scene;
 }
 }  // namespace
 

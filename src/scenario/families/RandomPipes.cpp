@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/RandomNumbers.h"
 
@@ -86,10 +86,14 @@ PipeScene drawPipes(const FamilyValues &values)
 {
     const double margin = std::max(values.at("margin"), PipeScene::armRadius);
     RandomNumbers random(static_cast<std::uint64_t>(values.at("seed")));
-    for (int i = 0; i < mostDraws; ++i)
-        if (const PipeScene scene = drawOnce(random, static_cast<int>(values.at("obstacles"))); fits(scene, margin))
-            return scene;
-    throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+    PipeScene scene;
+    drawUntilOneWillDo(mostDraws,
+                       [&]()
+                       {
+                           scene = drawOnce(random, static_cast<int>(values.at("obstacles")));
+                           return fits(scene, margin);
+                       });
+    return scene;
 }
 }  // namespace
 

@@ -4,10 +4,10 @@
 // the witness; then it bends away to the start.
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include <Eigen/LU>
 
+#include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/RandomNumbers.h"
 
@@ -58,16 +58,14 @@ public:
     SpaceScene draw()
     {
         constexpr int startsPerGoal = 20;
-        for (int i = 0; i < mostDraws; ++i)
-        {
-            placeOpening();
-            if (!drawGoal() || !withdraw())
-                continue;
-            for (int j = 0; j < startsPerGoal; ++j)
-                if (drawStart())
-                    return scene_;
-        }
-        throw std::invalid_argument("no such scene was found in " + std::to_string(mostDraws) + " draws");
+        drawUntilOneWillDo(mostDraws,
+                           [this]()
+                           {
+                               placeOpening();
+                               return drawGoal() && withdraw() &&
+                                      oneWillDo(startsPerGoal, [this]() { return drawStart(); });
+                           });
+        return scene_;
     }
 
 private:
