@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What one question to a checker costs. The paper's three cases: states spread over the whole joint space or crowded
 // near the goal, where the narrow passages are (arguments: case, 0 = uniform / 1 = near the goal). The last motion into
-// the corridor of case 1, while it closes (argument: exponent of the clearance 10^-n).
+// the corridor of case 1, while it closes (argument: exponent of the clearance 10^-n). armCheck asks without OMPL in
+// between: the checkers, and the scalar one that the analytic checker must agree with.
 #include <benchmark/benchmark.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include "CorridorScene.h"
 #include "PaperCases.h"
+#include "ScalarChecker.h"
 #include "scenario/Problem.h"
 
 namespace narrows
@@ -79,6 +81,31 @@ void motionCheck(benchmark::State &run, const std::string &checker)
     question.problem.si->freeState(to);
 }
 
+template <class Checker>
+void askAboutArms(benchmark::State &run, const Question &question, const Checker &checker)
+{
+    std::vector<Eigen::VectorXd> configurations(question.states.size());
+    for (std::size_t k = 0; k < configurations.size(); ++k)
+        question.problem.space->toConfiguration(question.states[k], configurations[k]);
+    std::size_t i = 0;
+    int free = 0;
+    for (auto _ : run)
+        free += checker.isFree(configurations[i++ % stateCount]);
+    run.counters["free"] = benchmark::Counter(free, benchmark::Counter::kAvgIterations);
+}
+
+void armCheck(benchmark::State &run, const std::string &name)
+{
+    const Question question(run, "analytic");
+    askAboutArms(run, question, *makeArmChecker(name, *question.scenario.planar().model));
+}
+
+void scalarArmCheck(benchmark::State &run)
+{
+    const Question question(run, "analytic");
+    askAboutArms(run, question, ScalarChecker(*question.scenario.planar().model));
+}
+
 void intoTheCorridor(benchmark::State &run)
 {
     const CorridorMotion motion(std::pow(10.0, -static_cast<double>(run.range(0))));
@@ -93,6 +120,9 @@ void intoTheCorridor(benchmark::State &run)
 
 BENCHMARK_CAPTURE(stateCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(stateCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK(scalarArmCheck)->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(armCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(armCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(motionCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(motionCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK(intoTheCorridor)->DenseRange(2, 7);

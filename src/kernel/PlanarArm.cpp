@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "kernel/SineCosine.h"
+
 namespace narrows
 {
 namespace
@@ -29,6 +31,45 @@ void checkSlide(const Slide &slide)
         throw std::invalid_argument("the slide's axis must be a unit vector");
     if (!(slide.lower <= slide.upper))
         throw std::invalid_argument("the slide's limits must be ordered");
+}
+
+/// Where the links end; tips[-1] is the base.
+void placeOneByOne(const std::vector<PlanarLink> &links, const double *angles, Eigen::Vector2d *tips)
+{
+    for (std::size_t i = 0; i < links.size(); ++i)
+    {
+        // Both before anything is stored, so that the compiler makes one sincos of them.
+        const double cosine = std::cos(angles[i]);
+        const double sine = std::sin(angles[i]);
+        const Eigen::Vector2d &from = tips[links[i].parent];
+        tips[i] = {from.x() + links[i].length * cosine, from.y() + links[i].length * sine};
+    }
+}
+
+/// The same, faster for many links.
+void placeInBlocks(const std::vector<PlanarLink> &links, const double *angles, Eigen::Vector2d *tips)
+{
+    const int linkCount = static_cast<int>(links.size());
+    SineCosineBlock turns;
+    double x = tips[-1].x(), y = tips[-1].y();
+    for (int first = 0; first < linkCount; first += turns.most)
+    {
+        const int count = std::min(turns.most, linkCount - first);
+        std::copy_n(angles + first, count, turns.angles);
+        turns.evaluate(count);
+        const PlanarLink *link = links.data() + first;
+        for (int i = first, k = 0; k < count; ++i, ++k, ++link)
+        {
+            if (link->parent != i - 1)  // else it is the link before, whose tip need not be fetched from memory
+            {
+                x = tips[link->parent].x();
+                y = tips[link->parent].y();
+            }
+            x += link->length * turns.cosines[k];
+            y += link->length * turns.sines[k];
+            tips[i] = {x, y};
+        }
+    }
 }
 }  // namespace
 
@@ -57,15 +98,10 @@ void PlanarArm::place(ConfigurationRef q, std::vector<Eigen::Vector2d> &points) 
     points[0] = base_;
     if (slide_)
         points[0] += q[0] * slide_->axis;
-    const double *angle = q.data() + firstAngle();
-    for (std::size_t i = 0; i < links_.size(); ++i)
-    {
-        // Both before anything is stored, so that the compiler makes one sincos of them.
-        const double cosine = std::cos(angle[i]);
-        const double sine = std::sin(angle[i]);
-        const Eigen::Vector2d &from = points[links_[i].parent + 1];
-        points[i + 1] = {from.x() + links_[i].length * cosine, from.y() + links_[i].length * sine};
-    }
+    if (linkCount() < SineCosineBlock::worthIt)
+        placeOneByOne(links_, q.data() + firstAngle(), points.data() + 1);
+    else
+        placeInBlocks(links_, q.data() + firstAngle(), points.data() + 1);
 }
 
 void PlanarArm::motionBounds(ConfigurationRef delta, Eigen::VectorXd &lengths, Eigen::VectorXd &bends) const

@@ -5,6 +5,7 @@
 #include "kernel/SegmentDistance.h"
 #include "validity/PlanarCertificates.h"
 #include "validity/PlanarChecker.h"
+#include "validity/Tangents.h"
 
 namespace narrows
 {
@@ -49,6 +50,12 @@ struct Edges
     std::vector<Boxed<Edge>> edges;
 };
 
+struct Rounded
+{
+    SuperellipseGeometry geometry;
+    Tangents tangents;
+};
+
 /// What has been found of a link so far, over several obstacles.
 class Findings
 {
@@ -72,25 +79,24 @@ public:
     {
         for (const PlanarObstacle &obstacle : obstacles)
             std::visit([&](const auto &shape) { add(shape, bounds(obstacle)); }, obstacle.shape);
+        boxes_.resize(static_cast<int>(obstacles.size()));
+        int k = 0;
+        forEach(allObstacles,
+                [&](const Box &box, const auto &) {
+                    return boxes_.set(k++, {box.left, box.bottom}, {box.right, box.top}, 0.0), true;
+                });
     }
 
-    bool clears(const Link<2> &link) const override
+    void findNear(const BoxArrays<2> &boxes, std::vector<ObstacleBits> &near) const override
     {
-        const auto &[a, b, radius] = link;
-        const Box box = boxAround(a, b, radius);
-        for (const auto &[outer, circle] : circles_)
-        {
-            const double contact = circle.radius + radius;
-            if (box.meets(outer) && squaredDistance(a, b, circle.center) <= contact * contact)
-                return false;
-        }
-        for (const auto &[outer, shape] : superellipses_)
-            if (box.meets(outer) && !shape.farther(a, b, radius))
-                return false;
-        for (const auto &[outer, shape] : polygons_)
-            if (box.meets(outer) && touches(link, box, shape))
-                return false;
-        return true;
+        boxes.findMeetings(boxes_, near);
+    }
+
+    bool clears(const Link<2> &link, ObstacleBits near) const override
+    {
+        const Box box = boxAround(link.a, link.b, link.radius);
+        return forEach(
+            near, [&](const Box &outer, const auto &shape) { return !box.meets(outer) || !touches(link, box, shape); });
     }
 
     double clearance(const Link<2> &link) const override
@@ -99,26 +105,19 @@ public:
         for (const auto &[box, circle] : circles_)
             nearest = std::min(nearest, std::sqrt(squaredDistance(link.a, link.b, circle.center)) - circle.radius);
         for (const auto &[box, shape] : superellipses_)
-            nearest = std::min(nearest, shape.distance(link.a, link.b));
+            nearest = std::min(nearest, shape.geometry.distance(link.a, link.b));
         for (const auto &[box, shape] : polygons_)
             nearest = std::min(nearest, distance(link.a, link.b, shape.polygon));
         return nearest - link.radius;
     }
 
-    Finding examine(const LinkMotion<2> &link) const override
+    Finding examine(const LinkMotion<2> &link, ObstacleBits near) const override
     {
         const double reach = link.reach();
         const Box box = boxAround(link.a.position, link.b.position, link.radius + reach);
         Findings findings;
-        for (const auto &[outer, circle] : circles_)
-            if (box.meets(outer) && !findings.add(narrows::examine(link, reach, circle)))
-                return Finding::Touching;
-        for (const auto &[outer, shape] : superellipses_)
-            if (box.meets(outer) && !findings.add(narrows::examine(link, reach, shape)))
-                return Finding::Touching;
-        for (const auto &[outer, shape] : polygons_)
-            if (box.meets(outer) && !findings.add(examine(link, reach, box, shape)))
-                return Finding::Touching;
+        forEach(near, [&](const Box &outer, const auto &shape)
+                { return !box.meets(outer) || findings.add(examine(link, reach, box, shape)); });
         return findings.worst();
     }
 
@@ -147,7 +146,7 @@ private:
 
     void add(const Superellipse &shape, const Bounds &box)
     {
-        superellipses_.push_back({flat(box), SuperellipseGeometry(shape)});
+        superellipses_.push_back({flat(box), {SuperellipseGeometry(shape), Tangents(shape)}});
     }
 
     void add(const Polygon &polygon, const Bounds &box)
@@ -159,6 +158,33 @@ private:
         polygons_.push_back({flat(box), std::move(edges)});
     }
 
+    /// Calls visit(box, shape) for each obstacle of a set until that returns false, and returns whether none did.
+    template <class Visit>
+    bool forEach(ObstacleBits near, const Visit &visit) const
+    {
+        std::size_t k = 0;
+        const auto ofOneKind = [&](const auto &obstacles)
+        {
+            for (const auto &[box, shape] : obstacles)
+                if (isAmong(near, k++) && !visit(box, shape))
+                    return false;
+            return true;
+        };
+        return ofOneKind(circles_) && ofOneKind(superellipses_) && ofOneKind(polygons_);
+    }
+
+    static bool touches(const Link<2> &link, const Box & /*box*/, const Circle &circle)
+    {
+        const double contact = circle.radius + link.radius;
+        return squaredDistance(link.a, link.b, circle.center) <= contact * contact;
+    }
+
+    static bool touches(const Link<2> &link, const Box & /*box*/, const Rounded &shape)
+    {
+        return !shape.tangents.separate(link.a, link.b, link.radius) &&
+               !shape.geometry.farther(link.a, link.b, link.radius);
+    }
+
     static bool touches(const Link<2> &link, const Box &box, const Edges &shape)
     {
         if (contains(shape.polygon, link.a))
@@ -167,6 +193,18 @@ private:
             shape.edges.begin(), shape.edges.end(),
             [&](const Boxed<Edge> &edge)
             { return box.meets(edge.box) && distance(link.a, link.b, edge.shape.from, edge.shape.to) <= link.radius; });
+    }
+
+    static Finding examine(const LinkMotion<2> &link, double reach, const Box & /*box*/, const Circle &circle)
+    {
+        return narrows::examine(link, reach, circle);
+    }
+
+    static Finding examine(const LinkMotion<2> &link, double reach, const Box & /*box*/, const Rounded &shape)
+    {
+        if (shape.tangents.separate(link.a.position, link.b.position, link.radius + reach))
+            return Finding::Clear;
+        return narrows::examine(link, reach, shape.geometry);
     }
 
     /// Outside now, and across no edge until the end of the stretch: outside until then.
@@ -188,8 +226,9 @@ private:
 
     // By kind, so that the loops stay tight: a state is checked in tens of nanoseconds.
     std::vector<Boxed<Circle>> circles_;
-    std::vector<Boxed<SuperellipseGeometry>> superellipses_;
+    std::vector<Boxed<Rounded>> superellipses_;
     std::vector<Boxed<Edges>> polygons_;
+    BoxArrays<2> boxes_;  ///< of all of them, in this order
 };
 }  // namespace
 

@@ -30,7 +30,7 @@ class FclLinkChecker final : public LinkChecker<Dim>
 public:
     explicit FclLinkChecker(std::vector<FclObstacle> obstacles) : obstacles_(std::move(obstacles)) {}
 
-    bool clears(const Link<Dim> &link) const override
+    bool clears(const Link<Dim> &link, ObstacleBits /*near*/) const override
     {
         const FclSegment segment(lift(link.a), lift(link.b));
         return std::all_of(obstacles_.begin(), obstacles_.end(),
@@ -54,7 +54,7 @@ public:
         return least;
     }
 
-    Finding examine(const LinkMotion<Dim> &link) const override
+    Finding examine(const LinkMotion<Dim> &link, ObstacleBits /*near*/) const override
     {
         const FclSegment segment(lift(link.a.position), lift(link.b.position));
         const double reach = link.reach();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "kernel/LinkMotion.h"
+#include "validity/BoxArrays.h"
 
 namespace narrows
 {
@@ -25,15 +26,24 @@ class LinkChecker
 public:
     virtual ~LinkChecker() = default;
 
-    /// Whether no obstacle touches the link.
-    virtual bool clears(const Link<Dim> &link) const = 0;
+    /// The obstacles that may touch something in each of the boxes: all those whose own boxes they meet, here any.
+    virtual void findNear(const BoxArrays<Dim> &boxes, std::vector<ObstacleBits> &near) const
+    {
+        near.assign(boxes.count(), allObstacles);
+    }
+
+    /// Whether no obstacle touches the link. \param near obstacles that are not among them are known to be far away
+    virtual bool clears(const Link<Dim> &link, ObstacleBits near) const = 0;
+    bool clears(const Link<Dim> &link) const { return clears(link, allObstacles); }
 
     /// Distance from the link to the nearest obstacle: negative or zero iff they touch (then its size means nothing),
     /// +infinity without obstacles.
     virtual double clearance(const Link<Dim> &link) const = 0;
 
-    /// The worst of what can be told of the link and any obstacle.
-    virtual Finding examine(const LinkMotion<Dim> &link) const = 0;
+    /// The worst of what can be told of the link and any obstacle. \param near as above, of the box around all that the
+    /// link can reach
+    virtual Finding examine(const LinkMotion<Dim> &link, ObstacleBits near) const = 0;
+    Finding examine(const LinkMotion<Dim> &link) const { return examine(link, allObstacles); }
 
     /// The same of two links of one arm.
     virtual bool clears(const Link<Dim> &link, const Link<Dim> &other) const = 0;

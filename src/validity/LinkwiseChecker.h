@@ -29,11 +29,17 @@ public:
     bool isFree(ConfigurationRef q) const override
     {
         const MovingArm<Arm> &placed = place(q);
+        if (arm_.linkCount() < worthBoxing)
+            return areClear(placed);
+        thread_local BoxArrays<Arm::Dim> boxes;
+        thread_local std::vector<ObstacleBits> near;
+        placed.box(boxes);
+        links_->findNear(boxes, near);
         for (int i = 0; i < arm_.linkCount(); ++i)
-            if (!links_->clears(placed.link(i)))
+            if (near[i] != 0 && !links_->clears(placed.link(i), near[i]))
                 return false;
         for (const auto &[link, other] : pairs_)
-            if (!links_->clears(placed.link(link), placed.link(other)))
+            if (boxes.meet(link, other) && !links_->clears(placed.link(link), placed.link(other)))
                 return false;
         return true;
     }
@@ -60,6 +66,17 @@ public:
     }
 
 private:
+    /// isFree() one by one, for few links.
+    bool areClear(const MovingArm<Arm> &placed) const
+    {
+        for (int i = 0; i < arm_.linkCount(); ++i)
+            if (!links_->clears(placed.link(i)))
+                return false;
+        return std::all_of(pairs_.begin(), pairs_.end(),
+                           [&](const LinkPair &pair)
+                           { return links_->clears(placed.link(pair.first), placed.link(pair.second)); });
+    }
+
     const MovingArm<Arm> &place(ConfigurationRef q) const
     {
         thread_local MovingArm<Arm> placed;

@@ -14,6 +14,9 @@ namespace narrows
 {
 using LinkPair = std::pair<int, int>;
 
+/// So many links are looked at faster all at once, by their boxes; fewer, one by one.
+constexpr int worthBoxing = 6;
+
 /// One motion of an arm under examination. Keeps its memory from one motion to the next.
 template <class Arm>
 class MotionSearch
@@ -74,7 +77,7 @@ private:
     Stretch all(double begin, double end)
     {
         pending_.clear();
-        tasks_.resize(linkCount_ + pairs_->size());
+        tasks_.resize(taskCount());
         std::iota(tasks_.begin(), tasks_.end(), 0);
         return {begin, end, 0, static_cast<int>(tasks_.size())};
     }
@@ -87,11 +90,14 @@ private:
         const double middle = stretch.begin + half;
         moving_.place(middle);
         ++*placements_;
+        const bool boxed = linkCount_ >= worthBoxing && stretch.taskCount == taskCount();
+        if (boxed)
+            findNear(half);
         const int firstOpen = static_cast<int>(tasks_.size());
         for (int k = 0; k < stretch.taskCount; ++k)
         {
             const int task = tasks_[stretch.firstTask + k];
-            const Finding finding = examineTask(task, half);
+            const Finding finding = examineTask(task, half, boxed);
             if (finding == Finding::Clear)
                 continue;
             if (!divide || finding == Finding::Touching || reach(task, half) < resolution_)
@@ -107,12 +113,32 @@ private:
         return true;
     }
 
+    int taskCount() const { return linkCount_ + static_cast<int>(pairs_->size()); }
+
+    /// Boxes around all that the links can reach on a stretch, and what is in them. It pays where most of the arm is in
+    /// the open, which is when nothing is known yet.
+    void findNear(double half)
+    {
+        boxes_.resize(linkCount_);
+        for (int i = 0; i < linkCount_; ++i)
+        {
+            const LinkMotion<Arm::Dim> link = moving_.motion(i, half, resolution_);
+            boxes_.set(i, link.a.position, link.b.position, link.radius + link.reach());
+        }
+        checker_->findNear(boxes_, near_);
+    }
+
     /// Links are made thicker by the resolution, so that certificates have rounding errors to spare.
-    Finding examineTask(int task, double half) const
+    Finding examineTask(int task, double half, bool boxed) const
     {
         if (task < linkCount_)
-            return checker_->examine(moving_.motion(task, half, resolution_));
+        {
+            const ObstacleBits near = boxed ? near_[task] : allObstacles;
+            return near == 0 ? Finding::Clear : checker_->examine(moving_.motion(task, half, resolution_), near);
+        }
         const auto &[link, other] = (*pairs_)[task - linkCount_];
+        if (boxed && !boxes_.meet(link, other))
+            return Finding::Clear;
         return checker_->examine(moving_.motion(link, half, resolution_), moving_.motion(other, half, resolution_));
     }
 
@@ -130,6 +156,8 @@ private:
     double resolution_ = 0.0;
     std::uint64_t *placements_ = nullptr;
     MovingArm<Arm> moving_;
+    BoxArrays<Arm::Dim> boxes_;
+    std::vector<ObstacleBits> near_;
     std::vector<int> tasks_;
     std::vector<Stretch> pending_;
 };

@@ -8,6 +8,7 @@
 #include "kernel/LinkMotion.h"
 #include "kernel/PlanarArm.h"
 #include "kernel/SpatialArm.h"
+#include "validity/BoxArrays.h"
 
 namespace narrows
 {
@@ -46,6 +47,18 @@ public:
     }
 
     Link<2> link(int i) const { return {points_[base(i)], points_[i + 1], arm_->radius()}; }
+
+    /// The boxes around the links.
+    void box(BoxArrays<2> &boxes) const
+    {
+        const int count = arm_->linkCount();
+        const PlanarLink *links = arm_->links().data();
+        const Eigen::Vector2d *points = points_.data();
+        const double radius = arm_->radius();
+        boxes.resize(count);
+        for (int i = 0; i < count; ++i)
+            boxes.set(i, points[links[i].parent + 1], points[i + 1], radius);
+    }
 
     /// A link on a stretch around where the arm is, made `extra` thicker.
     LinkMotion<2> motion(int i, double half, double extra) const
@@ -95,6 +108,13 @@ public:
     Link<3> link(int i) const
     {
         return {placement_.points[2 * i], placement_.points[2 * i + 1], arm_->links()[i].radius};
+    }
+
+    void box(BoxArrays<3> &boxes) const
+    {
+        boxes.resize(arm_->linkCount());
+        for (int i = 0; i < arm_->linkCount(); ++i)
+            boxes.set(i, placement_.points[2 * i], placement_.points[2 * i + 1], arm_->links()[i].radius);
     }
 
     LinkMotion<3> motion(int i, double half, double extra) const

@@ -43,14 +43,23 @@ public:
     {
         for (const SpatialObstacle &obstacle : obstacles)
             obstacles_.push_back({spatialBounds(obstacle), prepared(obstacle.shape)});
+        boxes_.resize(static_cast<int>(obstacles_.size()));
+        for (int k = 0; k < boxes_.count(); ++k)
+            boxes_.set(k, obstacles_[k].box.lower, obstacles_[k].box.upper, 0.0);
     }
 
-    bool clears(const Link<3> &link) const override
+    void findNear(const BoxArrays<3> &boxes, std::vector<ObstacleBits> &near) const override
+    {
+        boxes.findMeetings(boxes_, near);
+    }
+
+    bool clears(const Link<3> &link, ObstacleBits near) const override
     {
         const SpatialBounds box = boundsAround(link.a, link.b, link.radius);
-        return std::all_of(obstacles_.begin(), obstacles_.end(),
-                           [&](const Obstacle &obstacle)
-                           { return !box.meets(obstacle.box) || std::visit(IsClearOf{link}, obstacle.shape); });
+        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+            if (isAmong(near, k) && box.meets(obstacles_[k].box) && !std::visit(IsClearOf{link}, obstacles_[k].shape))
+                return false;
+        return true;
     }
 
     double clearance(const Link<3> &link) const override
@@ -61,20 +70,16 @@ public:
         return least - link.radius;
     }
 
-    Finding examine(const LinkMotion<3> &link) const override
+    Finding examine(const LinkMotion<3> &link, ObstacleBits near) const override
     {
         const double reach = link.reach();
         const SpatialBounds box = boundsAround(link.a.position, link.b.position, link.radius + reach);
         Finding worst = Finding::Clear;
-        for (const Obstacle &obstacle : obstacles_)
-        {
-            if (box.meets(obstacle.box))
+        for (std::size_t k = 0; k < obstacles_.size() && worst != Finding::Touching; ++k)
+            if (isAmong(near, k) && box.meets(obstacles_[k].box))
                 worst =
                     std::max(worst, std::visit([&](const auto &shape) { return narrows::examine(link, reach, shape); },
-                                               obstacle.shape));
-            if (worst == Finding::Touching)
-                break;
-        }
+                                               obstacles_[k].shape));
         return worst;
     }
 
@@ -112,6 +117,7 @@ private:
     static Shape prepared(const decltype(SpatialObstacle::shape) &shape) { return std::visit(Prepare{}, shape); }
 
     std::vector<Obstacle> obstacles_;
+    BoxArrays<3> boxes_;  ///< theirs
 };
 }  // namespace
 
