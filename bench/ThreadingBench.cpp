@@ -6,6 +6,7 @@
 
 #include "PaperCases.h"
 #include "kernel/threading/CentredStep.h"
+#include "kernel/threading/MidGap.h"
 #include "planners/PlannerFactory.h"
 #include "scenario/Problem.h"
 

@@ -5,6 +5,7 @@
 
 #include "kernel/SegmentDistance.h"
 #include "kernel/threading/CentredStep.h"
+#include "kernel/threading/MidGap.h"
 
 namespace narrows
 {

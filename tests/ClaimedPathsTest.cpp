@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every path that HPPM claims, judged by the verifier. NARROWS_CLAIMS=100000 in the environment makes it a campaign.
+// Every path that HPPM and Threader claim, judged by the verifier. NARROWS_CLAIMS=100000 in the environment makes it a
+// campaign.
 #include <cstdlib>
+#include <map>
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -26,12 +28,19 @@ int wantedClaims()
     return text == nullptr ? 1200 : std::atoi(text);
 }
 
-/// Solves once and adds what came of it. Scenes without a way cost their tries.
-void claim(const Scenario &scenario, std::uint32_t seed, Claims &claims)
+/// With little patience: scenes without a way cost all of it.
+struct Claimant
+{
+    std::string planner;
+    std::map<std::string, std::string> parameters;
+};
+
+/// Solves once and adds what came of it.
+void claim(const Claimant &claimant, const Scenario &scenario, std::uint32_t seed, Claims &claims)
 {
     ompl::RNG::setSeed(seed);
     const Problem problem = makeProblem(scenario);
-    const ob::PlannerPtr planner = makePlanner("hppm", problem.context, {{"search", "restarts"}, {"tries", "60"}});
+    const ob::PlannerPtr planner = makePlanner(claimant.planner, problem.context, claimant.parameters);
     planner->setProblemDefinition(problem.pdef);
     planner->setup();
     if (planner->solve(ob::plannerNonTerminatingCondition()) != ob::PlannerStatus::EXACT_SOLUTION)
@@ -57,12 +66,19 @@ const std::vector<Source> sources{{"circles", {{"links", "3"}}},
                                   {"slab_generic", {{"links", "12"}, {"half_width", "1e-5"}}},
                                   {"tube_generic", {{"links", "8"}, {"half_width", "1e-3"}}},
                                   {"tube", {{"links", "4"}, {"half_width", "1e-4"}}},
+                                  {"bent_tube", {{"links", "8"}, {"half_width", "1e-2"}}},
+                                  {"blind", {{"links", "3"}, {"half_width", "1e-2"}}},
+                                  {"mixed", {{"links", "6"}}},
                                   {"corridor", {{"clearance", "1e-3"}}},
                                   {"corridor", {{"clearance", "1e-7"}}},
                                   {"spatial_elbow", {}},
                                   {"spatial_six", {}}};
 
-TEST(ClaimedPaths, NoneIsRefused)
+class ClaimedPaths : public testing::TestWithParam<Claimant>
+{
+};
+
+TEST_P(ClaimedPaths, NoneIsRefused)
 {
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
     const int wanted = wantedClaims();
@@ -77,11 +93,16 @@ TEST(ClaimedPaths, NoneIsRefused)
             const Scenario scenario =
                 readScenario(NARROWS_SOURCE_DIR "/experiments/scenarios/" + file + ".yaml", settings);
             for (std::uint32_t seed = 1; seed <= 8; ++seed)
-                claim(scenario, 1000 * round + seed, claims);
+                claim(GetParam(), scenario, 1000 * round + seed, claims);
         }
     RecordProperty("claimed", claims.claimed);
     EXPECT_EQ(claims.refused, 0) << claims.first;
     EXPECT_GE(claims.claimed, wanted);
 }
+
+INSTANTIATE_TEST_SUITE_P(Planners, ClaimedPaths,
+                         testing::Values(Claimant{"hppm", {{"search", "restarts"}, {"tries", "60"}}},
+                                         Claimant{"threader", {{"rounds", "3"}}}),
+                         [](const auto &claimant) { return claimant.param.planner; });
 }  // namespace
 }  // namespace narrows

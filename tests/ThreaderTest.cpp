@@ -103,9 +103,11 @@ TEST(Threader, SameSeedSamePath)
 TEST(Threader, MembersSolveAlone)
 {
     const Scenario scenario = paperCase(1);
-    const Parameters none{{"full", "0"}, {"slices", "0"}, {"traces", "0"}};
-    for (const auto &[member, measure] : std::map<std::string, std::string>{
-             {"full", "solved_by_full"}, {"slices", "solved_by_slice"}, {"traces", "solved_by_traces"}})
+    const Parameters none{{"full", "0"}, {"slices", "0"}, {"cells", "0"}, {"traces", "0"}};
+    for (const auto &[member, measure] : std::map<std::string, std::string>{{"full", "solved_by_full"},
+                                                                            {"slices", "solved_by_slice"},
+                                                                            {"cells", "solved_by_cells"},
+                                                                            {"traces", "solved_by_traces"}})
     {
         Parameters only = none;
         only[member] = "1";

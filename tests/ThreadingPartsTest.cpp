@@ -12,6 +12,7 @@
 #include "kernel/threading/LowDiscrepancy.h"
 #include "planners/JointChart.h"
 #include "planners/ThreadingTree.h"
+#include "planners/TipCells.h"
 #include "spaces/PlanarArmStateSpace.h"
 #include "validity/ArmChecker.h"
 
@@ -87,11 +88,11 @@ TEST(LowDiscrepancy, FillsBoxesMoreEvenlyThanChance)
     EXPECT_LE(hits.maxCoeff(), 19.0);
 }
 
-class Overlap : public testing::TestWithParam<int>
+class OverlapOfCase : public testing::TestWithParam<int>
 {
 };
 
-TEST_P(Overlap, SaysWhatTheCheckerSaysAndHowToGetOut)
+TEST_P(OverlapOfCase, SaysWhatTheCheckerSaysAndHowToGetOut)
 {
     const PlanarModel model = paperScene(GetParam()).model;
     const auto checker = makeArmChecker("analytic", model);
@@ -113,7 +114,31 @@ TEST_P(Overlap, SaysWhatTheCheckerSaysAndHowToGetOut)
     EXPECT_GT(deep, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(PaperCases, Overlap, testing::Values(1, 2, 3));
+TEST_P(OverlapOfCase, LooksAtMotionsWhereTheyAreDivided)
+{
+    const PlanarModel model = paperScene(GetParam()).model;
+    DeepestOverlap overlap(model);
+    std::mt19937 random(12);
+    int met = 0;
+    VectorXd unused;
+    for (int i = 0; i < 400; ++i)
+    {
+        // Up to more than a whole turn, where directions half way do not follow from those at the ends.
+        const VectorXd q = randomVector(random, model.arm.dimension(), M_PI);
+        const VectorXd delta = randomVector(random, model.arm.dimension(), i % 2 == 0 ? 7.0 : 0.7);
+        const int parts = 1 << i % 4;
+        bool expected = false;
+        for (int k = 1; k < parts; ++k)
+            expected = expected || overlap.deepest(q + double(k) / parts * delta, unused) < 0.0;
+        ASSERT_EQ(overlap.isMetBetween(q, delta, parts), expected) << i;
+        met += expected ? 1 : 0;
+    }
+    EXPECT_GT(met, 2);
+    EXPECT_LT(met, 398);
+    EXPECT_THROW(overlap.isMetBetween(unused, unused, 3), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(PaperCases, OverlapOfCase, testing::Values(1, 2, 3));
 
 /// A gripper whose joints wrap and whose space counts them relative to each other.
 std::shared_ptr<PlanarArmStateSpace> gripperSpace(const JointLimits &limits = {})
@@ -177,15 +202,30 @@ TEST(JointChart, KeepsTheSpacesOwnValuesWithLimits)
     EXPECT_TRUE(std::isinf(chart.periods()[1]));
 }
 
+TEST(JointChart, TurnsJointsAgainstTheOnesThatCarryThem)
+{
+    for (const JointLimits &limits : {JointLimits{}, JointLimits{AngleConvention::Relative, {Interval{-1, 1}}}})
+    {
+        auto space = gripperSpace(limits);
+        const JointChart chart(*space);
+        const VectorXd turns{{0.3, 0.5, -0.2, 0.4}};
+        VectorXd way, q;
+        chart.wayOfTurns(turns, way);
+        chart.toConfiguration(way, q);
+        EXPECT_LT((q - VectorXd{{0.3, 0.8, 0.6, 1.2}}).norm(), 1e-12);
+    }
+}
+
 TEST(ThreadingTree, FindsTheNearestAsBruteForceDoes)
 {
     std::mt19937 random(5);
     VectorXd periods = VectorXd::Constant(3, 2.0 * M_PI);
     periods[2] = std::numeric_limits<double>::infinity();
-    ThreadingTree tree(periods, 2);
-    std::vector<VectorXd> listed;
+    ThreadingTree tree(periods);
     for (int i = 0; i < 200; ++i)
     {
+        if (i == 100)  // slices may come when there are nodes already
+            tree.reslice(2, [](const VectorXd &x) { return VectorXd(x.head(2)); });
         const VectorXd x = randomVector(random, 3, 8.0);
         const int level = i % 3 + 1;
         tree.add(x, i - 1, level, x.head(2), i % 5 != 0);
@@ -214,6 +254,33 @@ TEST(ThreadingTree, FindsTheNearestAsBruteForceDoes)
         EXPECT_EQ(tree.nearest(x), best);
         EXPECT_EQ(tree.nearestInSlice(x.head(2)), bestInSlice);
     }
+}
+
+// Two links of length 1: cells have a side of a tenth.
+TEST(TipCells, ChooseWhereTheTipHasHardlyBeen)
+{
+    const PlanarArm arm({0, 0}, {{1.0, -1}, {1.0, 0}});
+    auto space =
+        std::make_shared<PlanarArmStateSpace>(arm, AngleConvention::Absolute, FreeJoints::Wrapping, JointLimits{});
+    space->setup();
+    TipCells cells(space->getDefaultProjection());
+    ompl::base::ScopedState<> near(space), far(space);
+    near = std::vector<double>{0.0, 0.0};
+    far = std::vector<double>{1.5, 1.5};
+    ompl::RNG random(1);
+    for (int i = 0; i < 9; ++i)
+        cells.add(near.get());
+    cells.add(far.get());
+    EXPECT_EQ(cells.size(), 10);
+    EXPECT_EQ(cells.at(far.get(), random), 9);
+    far = std::vector<double>{3.0, 3.0};
+    EXPECT_EQ(cells.at(far.get(), random), -1);
+    // Nine nodes weigh as much as nine visits; blame halves what a cell is worth.
+    for (int i = 0; i < 8; ++i)
+        EXPECT_EQ(cells.choose(random), 9) << i;
+    for (int i = 0; i < 4; ++i)
+        cells.blame();
+    EXPECT_LT(cells.choose(random), 9);
 }
 }  // namespace
 }  // namespace narrows

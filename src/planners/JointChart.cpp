@@ -39,6 +39,7 @@ JointChart::JointChart(const ArmStateSpace &space)
     statesAreRelative_ = relative && allWrap;
     chartIsRelative_ = relative && !allWrap;
     carriers_ = chartIsRelative_ ? carriers : std::vector<int>(carriers.size(), -1);
+    turning_ = chartIsRelative_ ? std::vector<int>(carriers.size(), -1) : carriers;
     parents_ = statesAreRelative_ ? carriers : std::vector<int>(carriers.size(), -1);
     periods_.resize(dimension);
     lower_.resize(dimension);
@@ -94,6 +95,14 @@ Eigen::VectorXd JointChart::gradient(const Eigen::VectorXd &byConfiguration) con
         if (carriers_[static_cast<std::size_t>(j)] >= 0)
             result[carriers_[static_cast<std::size_t>(j)]] += result[j];
     return result;
+}
+
+void JointChart::wayOfTurns(const Eigen::VectorXd &turns, Eigen::VectorXd &way) const
+{
+    way = turns;
+    for (Eigen::Index j = 0; j < dimension(); ++j)
+        if (turning_[static_cast<std::size_t>(j)] >= 0)  // carriers come first
+            way[j] += way[turning_[static_cast<std::size_t>(j)]];
 }
 
 void JointChart::shortWay(const Eigen::VectorXd &from, const Eigen::VectorXd &to, Eigen::VectorXd &way) const

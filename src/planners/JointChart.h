@@ -35,6 +35,9 @@ public:
     /// The derivative by the coordinates of a function whose derivative by the configuration is given.
     Eigen::VectorXd gradient(const Eigen::VectorXd &byConfiguration) const;
 
+    /// The way on which every joint turns as far against the one that carries it.
+    void wayOfTurns(const Eigen::VectorXd &turns, Eigen::VectorXd &way) const;
+
     /// to - from, the short way round for every coordinate.
     void shortWay(const Eigen::VectorXd &from, const Eigen::VectorXd &to, Eigen::VectorXd &way) const;
     /// Part of a way, in (0, 1], on which the space goes the same way between its ends: no joint turns by pi.
@@ -50,6 +53,7 @@ private:
     bool statesAreRelative_ = false;  ///< to the coordinate of parents_: only if coordinates are absolute angles
     bool chartIsRelative_ = false;    ///< and the kernel's configuration is not
     std::vector<int> parents_;        ///< of every coordinate; -1 where values are not counted against another
+    std::vector<int> turning_;        ///< of every coordinate that is an absolute angle; -1 for others
     std::vector<int> carriers_;       ///< the same for the kernel's configuration
     std::vector<char> wraps_;         ///< joints of the space
     Eigen::VectorXd periods_, lower_, upper_;

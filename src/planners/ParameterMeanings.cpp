@@ -134,6 +134,7 @@ const Meanings &threader()
 {
     static const Meanings meanings{
         {"bending", "push steps that end in an obstacle out of it"},
+        {"cells", "take random steps from where the tip has hardly been"},
         {"centring", "go on through the middle of gaps where a step is blocked"},
         {"full", "search all of joint space"},
         {"gap_width", "half width of the widest gaps that are threaded, as a part of the arm's reach"},

@@ -55,7 +55,7 @@ PlannerEntry threader()
     result.usesModel = true;
     result.make = [](const PlannerContext &context)
     {
-        return std::make_shared<Threader>(context.si, context.planar, context.repulsion);
+        return std::make_shared<Threader>(context.si, context.planar, context.spatial, context.repulsion);
     };
     return result;
 }

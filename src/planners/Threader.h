@@ -9,6 +9,7 @@
 
 #include "kernel/PlanarModel.h"
 #include "kernel/Repulsion.h"
+#include "kernel/SpatialModel.h"
 #include "kernel/threading/LowDiscrepancy.h"
 #include "planners/HPPM.h"
 #include "planners/ModelPlanner.h"
@@ -24,22 +25,25 @@ namespace narrows
    in between.
 
    Members, one after the other in rounds that grow: the straight motions; trees in all of joint space; trees in slices
-   of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm; curves
-   of HPPM. Trees are kept from one member to the next. The whole of joint space is among them, so that the planner is
-   probabilistically complete. The same seed gives the same answer.
+   of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm; random
+   steps from where the tip has hardly been (TipCells); curves of HPPM. Trees are kept from one member to the next. The
+   whole of joint space is among them, so that the planner is probabilistically complete. The same seed gives the same
+   answer.
    @par External documentation
    docs/threader.md
 
-   Parameters: `straight`, `full`, `slices`, `traces` switch members on and off, `centring` and `bending` the two ways
-   on from a blocked step; `range` longest edge in joint space (0: several lengths in turn); `slice_range`, `slice_box`,
-   `slice_dimensions`; `gap_width` widest gap that is threaded, as a part of the arm's reach; `rounds` before giving up.
+   Parameters: `straight`, `full`, `slices`, `cells`, `traces` switch members on and off, `centring` and `bending` the
+   two ways on from a blocked step; `range` longest edge in joint space (0: several lengths in turn); `slice_range`,
+   `slice_box`, `slice_dimensions`; `gap_width` widest gap that is threaded, as a part of the arm's reach; `rounds`
+   before giving up.
 */
 class Threader : public ModelPlanner
 {
 public:
-    /// \param planar robot and obstacles, where gaps are looked for; null for robots in space: no gaps
+    /// \param planar, spatial robot and obstacles, where gaps are looked for; that of the other kind of robot is null
     /// \param repulsion makes the poles for the curves, when the first is followed
     Threader(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> planar,
+             std::shared_ptr<const SpatialModel> spatial,
              std::function<std::shared_ptr<const RepulsionModel>()> repulsion);
 
     /// Besides OMPL's usual statuses: ABORT when all rounds have been made in vain (reason() is `rounds`) or every
@@ -54,6 +58,8 @@ public:
     bool getStraight() const { return straight_; }
     void setFull(bool on) { full_ = on; }
     bool getFull() const { return full_; }
+    void setCells(bool on) { cells_ = on; }
+    bool getCells() const { return cells_; }
     void setSlices(bool on) { slices_ = on; }
     bool getSlices() const { return slices_; }
     void setCentring(bool on) { centring_ = on; }
@@ -83,6 +89,7 @@ private:
         {
             Full,
             Slice,
+            Cells,
             Traces
         };
         Kind kind;
@@ -91,15 +98,22 @@ private:
     };
 
     void declareParameters();
+    /// Null without gaps, or if centred steps are switched off.
+    std::unique_ptr<const GapEquations> makeGapEquations() const;
+    std::unique_ptr<Overlap> makeOverlap() const;
     ob::PlannerStatus begin(const ob::PlannerTerminationCondition &ptc);
     void makeMembers();
+    void makeSlices();
     bool goStraight();
     /// One sample of a member. \return whether start and goal are joined
+    bool grow(Member &member, const ob::PlannerTerminationCondition &ptc);
     bool growFull(const ob::PlannerTerminationCondition &ptc);
     bool growSlice(Member &member, const ob::PlannerTerminationCondition &ptc);
     bool trace(const ob::PlannerTerminationCondition &ptc);
     /// A member's turn. \return whether start and goal are joined
     bool run(Member &member, const ob::PlannerTerminationCondition &ptc);
+    /// Takes another goal, if there are more, as the goal's tree grows.
+    void addGoals();
     /// It is the next member's turn; with the last one's, a round ends.
     void passOn();
     ob::PlannerStatus succeed(const std::string &member);
@@ -109,11 +123,13 @@ private:
     bool solvedBefore() const { return pdef_->hasExactSolution(); }
 
     std::shared_ptr<const PlanarModel> planar_;
+    std::shared_ptr<const SpatialModel> spatial_;
     std::function<std::shared_ptr<const RepulsionModel>()> repulsion_;
     const ArmStateSpace *space_;
     JointChart chart_;
 
-    bool straight_ = true, full_ = true, slices_ = true, centring_ = true, bending_ = true, traces_ = true;
+    bool straight_ = true, full_ = true, cells_ = true, slices_ = true, centring_ = true, bending_ = true,
+         traces_ = true;
     double range_ = 0.0, sliceRange_ = 0.0, sliceBox_ = 3.0, gapWidth_ = 0.05;
     int sliceDimensions_ = 5, rounds_ = 1000;
 

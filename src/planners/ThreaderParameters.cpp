@@ -9,6 +9,7 @@ void Threader::declareParameters()
 {
     declareParam<bool>("straight", this, &Threader::setStraight, &Threader::getStraight, "0,1");
     declareParam<bool>("full", this, &Threader::setFull, &Threader::getFull, "0,1");
+    declareParam<bool>("cells", this, &Threader::setCells, &Threader::getCells, "0,1");
     declareParam<bool>("slices", this, &Threader::setSlices, &Threader::getSlices, "0,1");
     declareParam<bool>("centring", this, &Threader::setCentring, &Threader::getCentring, "0,1");
     declareParam<bool>("bending", this, &Threader::setBending, &Threader::getBending, "0,1");

@@ -8,6 +8,7 @@ namespace narrows
 namespace
 {
 constexpr double firstSlide = 0.1;  ///< radians
+constexpr double twoPi = boost::math::constants::two_pi<double>();
 
 double *valuesOf(ob::State *state)
 {
@@ -16,19 +17,18 @@ double *valuesOf(ob::State *state)
 }  // namespace
 
 ThreadingSearch::ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart,
-                                 std::shared_ptr<const MidGap> midGap, std::unique_ptr<DeepestOverlap> collision)
+                                 std::function<std::unique_ptr<const GapEquations>()> midGap,
+                                 std::unique_ptr<Overlap> collision)
   : si_(si),
     chart_(chart),
-    midGap_(std::move(midGap)),
+    makeMidGap_(std::move(midGap)),
     collision_(std::move(collision)),
     slices_{Eigen::VectorXd::Zero(chart.dimension()), Eigen::MatrixXd(chart.dimension(), 0)},
-    trees_{ThreadingTree(chart.periods(), 0), ThreadingTree(chart.periods(), 0)},
+    trees_{ThreadingTree(chart.periods()), ThreadingTree(chart.periods())},
     slideStep_{firstSlide, firstSlide},
     from_(si),
     to_(si)
 {
-    if (midGap_ && !midGap_->gaps().empty())
-        centredStep_.emplace(*midGap_);
 }
 
 const Eigen::VectorXd &ThreadingSearch::root(int side, int number) const
@@ -40,12 +40,7 @@ void ThreadingSearch::setSlices(AffineSlices slices)
 {
     slices_ = std::move(slices);
     for (ThreadingTree &tree : trees_)
-    {
-        ThreadingTree fresh(chart_.periods(), slices_.dimensions());
-        for (int node = 0; node < tree.size(); ++node)
-            fresh.add(tree[node].x, tree[node].parent, tree[node].level, coordinates(tree[node].x), true);
-        tree = std::move(fresh);
-    }
+        tree.reslice(slices_.dimensions(), [this](const Eigen::VectorXd &x) { return coordinates(x); });
 }
 
 Eigen::VectorXd ThreadingSearch::coordinates(const Eigen::VectorXd &x) const
@@ -90,7 +85,8 @@ int ThreadingSearch::nearest(int side, const Stride &stride, const Eigen::Vector
 bool ThreadingSearch::goStraight(int start, int goal)
 {
     const Root &from = rootsOf(0)[static_cast<std::size_t>(start)], &to = rootsOf(1)[static_cast<std::size_t>(goal)];
-    if (!si_->checkMotion(from.state.get(), to.state.get()))
+    chart_.shortWay(root(0, start), root(1, goal), direction_);
+    if (meetsObstacle(root(0, start), direction_) || !si_->checkMotion(from.state.get(), to.state.get()))
         return false;
     meeting_ = {from.node, to.node};
     return true;
@@ -113,14 +109,62 @@ bool ThreadingSearch::grow(const Stride &stride, const Eigen::VectorXd &sample, 
     Stride back = stride;
     if (reached.level > stride.dimension)
         back.dimension = 0;  // it has left the slice
-    Way answer{turn_, nearest(turn_, back, reached.x), way.node, reached.x, back};
+    return answer(way, nearest(turn_, back, reached.x), back, random, ptc);
+}
+
+bool ThreadingSearch::explore(double range, ompl::RNG &random, const ob::PlannerTerminationCondition &ptc)
+{
+    ++counts_.samples;
+    const int side = turn_;
+    turn_ = 1 - side;
+    const int node = cellsOf(side).choose(random);
+    turning_.resize(chart_.dimension());
+    for (Eigen::Index j = 0; j < turning_.size(); ++j)
+        turning_[j] =
+            range * std::min(1.0, (chart_.upper()[j] - chart_.lower()[j]) / twoPi) * random.uniformReal(-1.0, 1.0);
+    chart_.wayOfTurns(turning_, direction_);
+    Way way{side, node, -1, tree(side)[node].x + direction_, {}};
+    way.isGiven = way.isPlain = true;
+    if (stepStraight(way) == Progress::Trapped)
+    {
+        way.goal = tree(side)[node].x + 0.5 * direction_;
+        stepStraight(way);
+    }
+    if (way.node == node)
+    {
+        cells_[static_cast<std::size_t>(side)]->blame();
+        return false;
+    }
+    write(side, way.node, to_.get());
+    const int near = cellsOf(turn_).at(to_.get(), random);
+    return near >= 0 && answer(way, near, {}, random, ptc);
+}
+
+TipCells &ThreadingSearch::cellsOf(int side)
+{
+    std::optional<TipCells> &cells = cells_[static_cast<std::size_t>(side)];
+    if (!cells)
+        cells.emplace(si_->getStateSpace()->getDefaultProjection());
+    while (cells->size() < tree(side).size())
+    {
+        write(side, cells->size(), from_.get());
+        cells->add(from_.get());
+    }
+    return *cells;
+}
+
+bool ThreadingSearch::answer(const Way &way, int from, const Stride &stride, ompl::RNG &random,
+                             const ob::PlannerTerminationCondition &ptc)
+{
+    Way answer{1 - way.side, from, way.node, tree(way.side)[way.node].x, stride};
+    answer.isPlain = way.isPlain;
     Progress progress = advance(answer, random);
     while (progress == Progress::Advanced && !ptc)
         progress = advance(answer, random);
     listLast(answer);
     if (progress != Progress::Reached)
         return false;
-    meeting_ = side == 0 ? std::pair(way.node, answer.node) : std::pair(answer.node, way.node);
+    meeting_ = way.side == 0 ? std::pair(way.node, answer.node) : std::pair(answer.node, way.node);
     return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,9 +17,10 @@
 
 #include "kernel/threading/AffineSlice.h"
 #include "kernel/threading/CentredStep.h"
-#include "kernel/threading/DeepestOverlap.h"
+#include "kernel/threading/Overlap.h"
 #include "planners/JointChart.h"
 #include "planners/ThreadingTree.h"
+#include "planners/TipCells.h"
 
 namespace narrows
 {
@@ -45,10 +47,10 @@ public:
         std::uint64_t bent = 0;     ///< steps along an obstacle
     };
 
-    /// \param midGap null: no centred steps
+    /// \param midGap finds the gaps, when a step is blocked for the first time; null: no centred steps
     /// \param collision null: steps that end in obstacles are not bent along them
-    ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart, std::shared_ptr<const MidGap> midGap,
-                    std::unique_ptr<DeepestOverlap> collision);
+    ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart,
+                    std::function<std::unique_ptr<const GapEquations>()> midGap, std::unique_ptr<Overlap> collision);
 
     void addStart(const ob::State *state) { addRoot(0, state); }
     void addGoal(const ob::State *state) { addRoot(1, state); }
@@ -67,6 +69,11 @@ public:
     /// \param sample in the chart, and in the slice \return whether the trees have met
     bool grow(const Stride &stride, const Eigen::VectorXd &sample, ompl::RNG &random,
               const ob::PlannerTerminationCondition &ptc);
+
+    /// Grows one tree from a node at the edge of what its tips have reached (TipCells) by a random step, and the other
+    /// towards that, if its tips have been nearby. \param range joints turn by at most so much
+    /// \return whether the trees have met
+    bool explore(double range, ompl::RNG &random, const ob::PlannerTerminationCondition &ptc);
 
     /// Once they have met: from a start to a goal.
     std::shared_ptr<og::PathGeometric> path() const;
@@ -96,6 +103,8 @@ private:
         int target;  ///< node of the other tree; -1: a sample
         Eigen::VectorXd goal;
         Stride stride;
+        bool isGiven = false;  ///< the way to the goal is the difference, not the short way round
+        bool isPlain = false;  ///< blocked steps are given up
         int unlisted = 0;      ///< nodes of a row that nearest() does not find yet
         int slides = 0;        ///< centred steps so far
         bool sliding = false;  ///< the last step was a centred one
@@ -106,13 +115,21 @@ private:
     const std::vector<Root> &rootsOf(int side) const { return roots_[static_cast<std::size_t>(side)]; }
     Eigen::VectorXd coordinates(const Eigen::VectorXd &x) const;
     int nearest(int side, const Stride &stride, const Eigen::VectorXd &x) const;
+    /// The other tree goes towards where this one has got. \return whether it has arrived
+    bool answer(const Way &way, int from, const Stride &stride, ompl::RNG &random,
+                const ob::PlannerTerminationCondition &ptc);
+    /// Up to date with the tree.
+    TipCells &cellsOf(int side);
     void measureWay(const Way &way);
 
     Progress advance(Way &way, ompl::RNG &random);
     Progress stepStraight(Way &way);
     Progress slide(Way &way, ompl::RNG &random);
+    bool hasGaps();  ///< finds them when first asked
     /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
     bool isDeep(const Eigen::VectorXd &x);
+    /// Whether an obstacle is seen in the way of a step: spares most of the motion checks that would fail.
+    bool meetsObstacle(const Eigen::VectorXd &from, const Eigen::VectorXd &step);
     Progress stepAlong(Way &way);
     int levelOf(const Stride &stride) const;
     bool chooseCrossings(ompl::RNG &random);
@@ -127,12 +144,14 @@ private:
 
     ob::SpaceInformationPtr si_;
     JointChart chart_;
-    std::shared_ptr<const MidGap> midGap_;
+    std::function<std::unique_ptr<const GapEquations>()> makeMidGap_;  ///< unset once it has been called
+    std::unique_ptr<const GapEquations> midGap_;
     std::optional<CentredStep> centredStep_;
-    std::unique_ptr<DeepestOverlap> collision_;
+    std::unique_ptr<Overlap> collision_;
     AffineSlices slices_;
     std::array<ThreadingTree, 2> trees_;
     std::array<std::vector<Root>, 2> roots_;
+    std::array<std::optional<TipCells>, 2> cells_;
     int turn_ = 0;
     std::pair<int, int> meeting_{-1, -1};
     Counts counts_;
@@ -141,7 +160,6 @@ private:
     std::array<double, 2> slideStep_;
     ob::ScopedState<> from_, to_;
     std::vector<GapCrossing> crossings_;
-    std::vector<Eigen::Vector2d> points_;
     Eigen::VectorXd direction_, step_, turning_, q_, tangent_, next_, gradient_, push_;
     double depth_ = 0.0;
 };

@@ -19,23 +19,39 @@ constexpr double longestSlide = 0.5;    ///< radians
 constexpr int mostSlides = 10000;       ///< on one way: so that it ends
 constexpr int mostCorrections = 3;      ///< of a step that ends in an obstacle
 constexpr double overRelaxation = 1.5;  ///< of these corrections
-constexpr int listEvery = 8;            ///< nodes of a slide that nearest() finds
+constexpr double lookSpacing = 0.4;     ///< radians: how far apart motions are looked at before they are certified
+constexpr int mostLooks = 8;
+constexpr int listEvery = 8;  ///< nodes of a slide that nearest() finds
 }  // namespace
 
 ThreadingSearch::Progress ThreadingSearch::advance(Way &way, ompl::RNG &random)
 {
     Progress progress = stepStraight(way);
-    if (progress == Progress::Trapped && centredStep_)
+    if (way.isPlain)
+        return progress;
+    if (progress == Progress::Trapped && hasGaps())
         progress = slide(way, random);
     if (progress == Progress::Trapped && depth_ < 0.0)
         progress = stepAlong(way);
     return progress;
 }
 
+bool ThreadingSearch::hasGaps()
+{
+    if (makeMidGap_)
+    {
+        midGap_ = makeMidGap_();
+        makeMidGap_ = nullptr;
+        if (midGap_ && midGap_->gapCount() > 0)
+            centredStep_.emplace(*midGap_);
+    }
+    return centredStep_.has_value();
+}
+
 void ThreadingSearch::measureWay(const Way &way)
 {
     const Eigen::VectorXd &from = tree(way.side)[way.node].x;
-    if (way.stride.dimension == 0)
+    if (way.stride.dimension == 0 && !way.isGiven)
         chart_.shortWay(from, way.goal, direction_);
     else
         direction_ = way.goal - from;
@@ -53,14 +69,14 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     {
         write(way.side, way.node, from_.get());
         write(1 - way.side, way.target, to_.get());
-        const bool free = si_->checkMotion(from_.get(), to_.get());
+        const bool free = !meetsObstacle(from, direction_) && si_->checkMotion(from_.get(), to_.get());
         counts_.blocked += free ? 0 : 1;
         return free ? Progress::Reached : Progress::Trapped;
     }
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    if (!isDeep(next_) && extend(way, next_, levelOf(way.stride), true))
+    if (!isDeep(next_) && !meetsObstacle(from, step_) && extend(way, next_, levelOf(way.stride), true))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
     return Progress::Trapped;
@@ -73,6 +89,18 @@ bool ThreadingSearch::isDeep(const Eigen::VectorXd &x)
     chart_.toConfiguration(x, q_);
     depth_ = collision_->deepest(q_, gradient_);
     return depth_ < 0.0;
+}
+
+bool ThreadingSearch::meetsObstacle(const Eigen::VectorXd &from, const Eigen::VectorXd &step)
+{
+    if (!collision_)
+        return false;
+    int parts = 1;
+    for (const double length = step.cwiseAbs().maxCoeff(); parts < mostLooks && length > lookSpacing * parts;)
+        parts *= 2;
+    chart_.toConfiguration(from, q_);
+    chart_.toConfiguration(step, turning_);
+    return collision_->isMetBetween(q_, turning_, parts);
 }
 
 ThreadingSearch::Progress ThreadingSearch::stepAlong(Way &way)
@@ -166,8 +194,7 @@ bool ThreadingSearch::slideBy(Way &way, double length, double least)
 
 bool ThreadingSearch::chooseCrossings(ompl::RNG &random)
 {
-    midGap_->arm().place(q_, points_);
-    midGap_->crossings(points_, mostLengthening * random.uniform01(), crossings_);
+    midGap_->crossings(q_, mostLengthening * random.uniform01(), crossings_);
     if (crossings_.empty())
         return false;
     // Wide gaps need no care while a narrow one is threaded, and may not allow it.
@@ -175,7 +202,7 @@ bool ThreadingSearch::chooseCrossings(ompl::RNG &random)
     {
         const auto width = [this](const GapCrossing &crossing)
         {
-            return midGap_->gaps()[static_cast<std::size_t>(crossing.gap)].halfWidth;
+            return midGap_->halfWidth(q_, crossing);
         };
         double least = std::numeric_limits<double>::infinity();
         for (const GapCrossing &crossing : crossings_)
@@ -197,10 +224,7 @@ double ThreadingSearch::leastSlide() const
 {
     double least = std::numeric_limits<double>::infinity();
     for (const GapCrossing &crossing : crossings_)
-    {
-        const Gap &gap = midGap_->gaps()[static_cast<std::size_t>(crossing.gap)];
-        least = std::min(least, 0.01 * std::sqrt(gap.halfWidth / gap.size));
-    }
+        least = std::min(least, 0.01 * std::sqrt(midGap_->halfWidth(q_, crossing) / midGap_->size(crossing)));
     return least;
 }
 

@@ -15,11 +15,6 @@ double inOnePeriod(double value, double period)
 }
 }  // namespace
 
-ThreadingTree::ThreadingTree(const Eigen::VectorXd &periods, int coordinates)
-  : periods_(periods), coordinateCount_(coordinates)
-{
-}
-
 int ThreadingTree::add(const Eigen::VectorXd &x, int parent, int level, const Eigen::VectorXd &coordinates, bool listed)
 {
     nodes_.push_back({x, parent, level});
@@ -34,7 +29,7 @@ void ThreadingTree::list(int node, const Eigen::VectorXd &coordinates)
     listed_.push_back(node);
     for (Eigen::Index j = 0; j < x.size(); ++j)
         wrapped_.push_back(inOnePeriod(x[j], periods_[j]));
-    slices_.insert(slices_.end(), coordinates.data(), coordinates.data() + coordinateCount_);
+    append(coordinates);
 }
 
 int ThreadingTree::nearest(const Eigen::VectorXd &x) const

@@ -20,13 +20,22 @@ public:
     };
 
     /// \param periods of the coordinates, +infinity where there is none
-    /// \param coordinates of a node in slices that are kept with it
-    ThreadingTree(const Eigen::VectorXd &periods, int coordinates);
+    explicit ThreadingTree(const Eigen::VectorXd &periods) : periods_(periods) {}
 
     /// \param coordinates in slices; at least as many as the tree keeps
     /// \param listed whether nearest() shall find it
     int add(const Eigen::VectorXd &x, int parent, int level, const Eigen::VectorXd &coordinates, bool listed);
     void list(int node, const Eigen::VectorXd &coordinates);
+    /// Keeps the coordinates of other slices from now on. \param count of coordinates
+    /// \param coordinates yields those of a place
+    template <class Coordinates>
+    void reslice(int count, const Coordinates &coordinates)
+    {
+        coordinateCount_ = count;
+        slices_.clear();
+        for (const int node : listed_)
+            append(coordinates((*this)[node].x));
+    }
 
     const Node &operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
     int size() const { return static_cast<int>(nodes_.size()); }
@@ -37,8 +46,13 @@ public:
     int nearestInSlice(const Eigen::VectorXd &coordinates) const;
 
 private:
+    void append(const Eigen::VectorXd &coordinates)
+    {
+        slices_.insert(slices_.end(), coordinates.data(), coordinates.data() + coordinateCount_);
+    }
+
     Eigen::VectorXd periods_;
-    int coordinateCount_;
+    int coordinateCount_ = 0;
     std::vector<Node> nodes_;
     std::vector<int> listed_;      ///< nodes
     std::vector<double> wrapped_;  ///< per listed node its coordinates in one period

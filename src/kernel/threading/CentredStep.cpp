@@ -12,19 +12,18 @@ constexpr double leastRemainder = 0.03;  ///< of a row's length: what depends mo
 constexpr double accuracy = 1e-3;        ///< of the half width
 }  // namespace
 
-void CentredStep::begin(ConfigurationRef q, const std::vector<GapCrossing> &crossings)
+void CentredStep::begin(const Configuration &q, const std::vector<GapCrossing> &crossings)
 {
     start_ = q;
     crossings_ = crossings;
-    midGap_->arm().place(start_, points_);
-    linearize();
+    linearize(start_);
     startRank_ = rank_;
     startBasis_ = basis_.leftCols(rank_);
 }
 
-void CentredStep::linearize()
+void CentredStep::linearize(const Configuration &q)
 {
-    midGap_->evaluate(points_, crossings_, values_, rows_);
+    equations_->evaluate(q, crossings_, values_, rows_);
     basis_.resize(rows_.rows(), std::min(rows_.rows(), rows_.cols()));
     correction_.setZero(rows_.rows());
     counts_.assign(static_cast<std::size_t>(rows_.cols()), 0);
@@ -46,14 +45,14 @@ void CentredStep::linearize()
     }
 }
 
-void CentredStep::tangent(ConfigurationRef direction, Eigen::VectorXd &result) const
+void CentredStep::tangent(const Configuration &direction, Eigen::VectorXd &result) const
 {
     result = direction;
     for (int i = 0; i < startRank_; ++i)
         result -= startBasis_.col(i).dot(result) * startBasis_.col(i);
 }
 
-bool CentredStep::isCentred() const
+bool CentredStep::isCentred(const Configuration &q) const
 {
     Eigen::Index row = 0;
     const auto isOff = [&](double allowed)
@@ -63,21 +62,20 @@ bool CentredStep::isCentred() const
     };
     for (const GapCrossing &crossing : crossings_)
     {
-        const double halfWidth = midGap_->gaps()[static_cast<std::size_t>(crossing.gap)].halfWidth;
+        const double halfWidth = equations_->halfWidth(q, crossing);
         if (isOff(halfWidth) || (crossing.square && isOff(std::sqrt(halfWidth))))
             return false;
     }
     return true;
 }
 
-bool CentredStep::reach(ConfigurationRef offset, Eigen::VectorXd &result)
+bool CentredStep::reach(const Configuration &offset, Eigen::VectorXd &result)
 {
     result = start_ + offset;
     for (int i = 0; i <= corrections; ++i)
     {
-        midGap_->arm().place(result, points_);
-        linearize();
-        if (isCentred())
+        linearize(result);
+        if (isCentred(result))
             return true;
         if (!(correction_.norm() < 1.0))
             return false;

@@ -1,43 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernel/threading/MidGap.h"
+#include "kernel/threading/GapEquations.h"
 
 namespace narrows
 {
-/// Steps along the configurations in which chosen links cross gaps in the middle (MidGap): the tangent there and, back
-/// onto them, Newton's method with corrections of least norm. Equations that nearly depend on others before them do not
-/// count (two links of one straight line give three, not four). Keeps its memory from one step to the next.
+/// Steps along the configurations in which chosen links cross gaps in the middle (GapEquations): the tangent there and,
+/// back onto them, Newton's method with corrections of least norm. Equations that nearly depend on others before them
+/// do not count (two links of one straight line give three, not four). Keeps its memory from one step to the next.
 class CentredStep
 {
 public:
-    explicit CentredStep(const MidGap &midGap) : midGap_(&midGap) {}
+    using Configuration = GapEquations::Configuration;
+
+    /// \pre the equations outlive this
+    explicit CentredStep(const GapEquations &equations) : equations_(&equations) {}
 
     /// Chooses configuration and crossings.
-    void begin(ConfigurationRef q, const std::vector<GapCrossing> &crossings);
+    void begin(const Configuration &q, const std::vector<GapCrossing> &crossings);
 
     /// Equations that count, at the configuration of begin().
     int rank() const { return rank_; }
 
     /// The part of `direction` that keeps F where it is, to first order.
-    void tangent(ConfigurationRef direction, Eigen::VectorXd &result) const;
+    void tangent(const Configuration &direction, Eigen::VectorXd &result) const;
 
     /// The configuration q + offset, q of begin(), brought to F = 0: to a thousandth of the half width of every gap,
     /// and of its root for F2, as far as they count. \return false if Newton's method does not get there in
     /// `corrections` steps; `result` is then where it ended
-    bool reach(ConfigurationRef offset, Eigen::VectorXd &result);
+    bool reach(const Configuration &offset, Eigen::VectorXd &result);
 
     static constexpr int corrections = 8;
 
 private:
-    /// F and an orthonormal basis of the rows of its derivative, at points_.
-    void linearize();
-    bool isCentred() const;
+    /// F and an orthonormal basis of the rows of its derivative.
+    void linearize(const Configuration &q);
+    bool isCentred(const Configuration &q) const;
 
-    const MidGap *midGap_;
+    const GapEquations *equations_;
     std::vector<GapCrossing> crossings_;
     Eigen::VectorXd start_;
-    std::vector<Eigen::Vector2d> points_;
     Eigen::VectorXd values_;
     Eigen::MatrixXd rows_;                ///< gradients in columns
     Eigen::MatrixXd basis_, startBasis_;  ///< orthonormal columns, the first rank_ of which count

@@ -1,34 +1,116 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel/threading/DeepestOverlap.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "kernel/SineCosine.h"
+
 namespace narrows
 {
-DeepestOverlap::DeepestOverlap(const PlanarModel &model) : poles_(model, {})
+namespace
 {
+using Eigen::Vector2d;
+
+constexpr double surelyLess = 3.0;  ///< radians, than half a turn: the sum of two directions then lies between them
+
+Bounds boxOf(const Segment &link)
+{
+    const Vector2d tip = link.tip();
+    return {link.base.cwiseMin(tip), link.base.cwiseMax(tip)};
+}
+
+/// Without branches: it is asked of every link and obstacle, and the answer is hard to foresee.
+bool meet(const Bounds &one, const Bounds &other)
+{
+    return static_cast<bool>((one.upper.x() >= other.lower.x()) & (one.lower.x() <= other.upper.x()) &
+                             (one.upper.y() >= other.lower.y()) & (one.lower.y() <= other.upper.y()));
+}
+}  // namespace
+
+DeepestOverlap::DeepestOverlap(const PlanarModel &model)
+  : arm_(model.arm), points_(model.arm.links().size() + 1), links_(model.arm.links().size())
+{
+    double longest = 0.0;
+    for (std::size_t t = 0; t < links_.size(); ++t)
+    {
+        const double length = arm_.links()[t].length;
+        links_[t].inverseSquare = 1.0 / (length * length);
+        longest = std::max(longest, length);
+    }
     for (const PlanarObstacle &obstacle : model.obstacles)
     {
+        obstacles_.push_back(makeLinkObstacle(obstacle, arm_.radius(), 0.5 * longest));
         boxes_.push_back(bounds(obstacle));
-        boxes_.back().lower.array() -= model.arm.radius();
-        boxes_.back().upper.array() += model.arm.radius();
+        boxes_.back().lower.array() -= arm_.radius();
+        boxes_.back().upper.array() += arm_.radius();
+    }
+}
+
+void DeepestOverlap::direct(ConfigurationRef q, Directions &directions) const
+{
+    const int count = arm_.linkCount();
+    const double *angles = q.data() + arm_.firstAngle();
+    directions.resize(links_.size());
+    SineCosineBlock turns;
+    for (int first = 0; first < count; first += turns.most)
+    {
+        const int size = std::min(turns.most, count - first);
+        std::copy_n(angles + first, size, turns.angles);
+        turns.evaluate(size);
+        for (int i = 0; i < size; ++i)
+            directions[static_cast<std::size_t>(first + i)] = {turns.cosines[i], turns.sines[i]};
+    }
+}
+
+void DeepestOverlap::halve(const Directions &from, const Directions &to, ConfigurationRef q, ConfigurationRef delta,
+                           double t, double half, Directions &result) const
+{
+    result.resize(links_.size());
+    Eigen::Index joint = arm_.firstAngle();
+    for (std::size_t i = 0; i < result.size(); ++i, ++joint)
+        if (2.0 * half * std::abs(delta[joint]) < surelyLess)
+        {
+            const Vector2d sum = from[i] + to[i];
+            result[i] = sum / std::sqrt(sum.squaredNorm());
+        }
+        else
+        {
+            const double angle = q[joint] + t * delta[joint];
+            result[i] = {std::cos(angle), std::sin(angle)};
+        }
+}
+
+void DeepestOverlap::place(const Directions &directions, double slide)
+{
+    points_[0] = arm_.base();
+    if (arm_.slide())
+        points_[0] += slide * arm_.slide()->axis;
+    for (std::size_t t = 0; t < links_.size(); ++t)
+    {
+        const PlanarLink &link = arm_.links()[t];
+        links_[t].base = points_[static_cast<std::size_t>(link.parent + 1)];
+        links_[t].along = link.length * directions[t];
+        points_[t + 1] = links_[t].base + links_[t].along;
     }
 }
 
 double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
 {
-    poles_.arm().place(q, points_);
-    poles_.segments(points_, links_);
+    direct(q, directions_[0]);
+    place(directions_[0], q[0]);
     double depth = 0.0;
     std::size_t deepestLink = 0;
     LinkForce force;
     for (std::size_t t = 0; t < links_.size(); ++t)
     {
-        const Eigen::Vector2d tip = links_[t].tip();
-        const Eigen::Vector2d lower = links_[t].base.cwiseMin(tip), upper = links_[t].base.cwiseMax(tip);
+        const Bounds box = boxOf(links_[t]);
         for (std::size_t i = 0; i < boxes_.size(); ++i)
         {
-            if ((lower.array() > boxes_[i].upper.array()).any() || (upper.array() < boxes_[i].lower.array()).any())
+            if (!meet(box, boxes_[i]))
                 continue;
-            const LinkTerm term = poles_.obstacles()[i]->pole(links_[t]);
+            const LinkTerm term = obstacles_[i]->pole(links_[t]);
             if (!(term.value < depth))
                 continue;
             depth = term.value;
@@ -40,8 +122,44 @@ double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
     {
         forces_.assign(links_.size(), {});
         forces_[deepestLink] = force;
-        gatherGradient(poles_.arm(), points_, forces_, carried_, gradient);
+        gatherGradient(arm_, points_, forces_, carried_, gradient);
     }
     return depth;
+}
+
+bool DeepestOverlap::overlaps() const
+{
+    for (const Segment &link : links_)
+    {
+        const Bounds box = boxOf(link);
+        for (std::size_t i = 0; i < boxes_.size(); ++i)
+            if (meet(box, boxes_[i]) && obstacles_[i]->pole(link).value < 0.0)
+                return true;
+    }
+    return false;
+}
+
+bool DeepestOverlap::isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts)
+{
+    if (parts != 1 && parts != 2 && parts != 4 && parts != mostParts)
+        throw std::invalid_argument("a motion is looked at in 1, 2, 4 or 8 parts");
+    if (parts == 1)
+        return false;
+    const auto at = [this](int part) -> Directions &
+    {
+        return directions_[static_cast<std::size_t>(part)];
+    };
+    direct(q, directions_[0]);
+    direct(q + delta, directions_[static_cast<std::size_t>(parts)]);
+    for (int stride = parts / 2; stride > 0; stride /= 2)
+        for (int i = stride; i < parts; i += 2 * stride)
+        {
+            const double t = double(i) / parts;
+            halve(at(i - stride), at(i + stride), q, delta, t, double(stride) / parts, at(i));
+            place(at(i), q[0] + t * delta[0]);
+            if (overlaps())
+                return true;
+        }
+    return false;
 }
 }  // namespace narrows

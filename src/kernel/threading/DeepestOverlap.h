@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kernel/PlanarPoles.h"
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "kernel/LinkObstacle.h"
+#include "kernel/LinkTerm.h"
+#include "kernel/PlanarModel.h"
+#include "kernel/threading/Overlap.h"
 
 namespace narrows
 {
-/// Where an arm overlaps obstacles most, and how it gets out: far cheaper than to certify a motion. Knows nothing of
-/// the arm's collisions with itself. Keeps its memory from one call to the next.
-class DeepestOverlap
+/// Overlap of a planar arm by the obstacle functions of PlanarRepulsionModel.h. Knows nothing of the arm's collisions
+/// with itself. Keeps its memory from one call to the next.
+class DeepestOverlap : public Overlap
 {
 public:
     explicit DeepestOverlap(const PlanarModel &model);
 
-    /// The obstacle function of the link and the obstacle that overlap most, negative; 0 if none do. `gradient` is its
-    /// derivative by the configuration.
-    double deepest(ConfigurationRef q, Eigen::VectorXd &gradient);
+    double deepest(ConfigurationRef q, Eigen::VectorXd &gradient) override;
+    /// \throws std::invalid_argument for other numbers of parts
+    bool isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts) override;
 
 private:
-    PlanarPoles poles_;
+    static constexpr int mostParts = 8;
+    using Directions = std::vector<Eigen::Vector2d>;  ///< unit vectors along the links
+
+    void direct(ConfigurationRef q, Directions &directions) const;
+    /// Directions half way between two others of the motion q + t delta, from t - half to t + half.
+    void halve(const Directions &from, const Directions &to, ConfigurationRef q, ConfigurationRef delta, double t,
+               double half, Directions &result) const;
+    void place(const Directions &directions, double slide);
+    bool overlaps() const;
+
+    PlanarArm arm_;
+    std::vector<std::unique_ptr<const LinkObstacle>> obstacles_;
     std::vector<Bounds> boxes_;
+    std::array<Directions, mostParts + 1> directions_;
     std::vector<Eigen::Vector2d> points_, carried_;
     std::vector<Segment> links_;
     std::vector<LinkForce> forces_;

@@ -17,6 +17,13 @@ double cross(const Vector2d &a, const Vector2d &b)
 {
     return a.x() * b.y() - a.y() * b.x();
 }
+
+const std::vector<Vector2d> &placed(const PlanarArm &arm, const GapEquations::Configuration &q)
+{
+    static thread_local std::vector<Vector2d> points;
+    arm.place(q, points);
+    return points;
+}
 }  // namespace
 
 MidGap::MidGap(const PlanarArm &arm, std::vector<Gap> gaps) : arm_(arm), gaps_(std::move(gaps)), largestSize_(0.0)
@@ -25,19 +32,30 @@ MidGap::MidGap(const PlanarArm &arm, std::vector<Gap> gaps) : arm_(arm), gaps_(s
         largestSize_ = std::max(largestSize_, 0.5 * link.length);
 }
 
-bool MidGap::crosses(const Vector2d &base, const Vector2d &tip, const Gap &gap, double lengthening) const
+bool crossesGap(const Vector2d &base, const Vector2d &tip, const Gap &gap, double lengthening, double largestSize)
 {
     // base + s along = middle + t axis
     const Vector2d along = tip - base, apart = gap.middle - base;
     const double determinant = cross(along, gap.axis), length = along.norm();
     if (std::abs(determinant) < leastSquareness * length)
         return false;
-    const double size = std::min(gap.size, largestSize_);
+    const double size = std::min(gap.size, largestSize);
     const double t = cross(apart, along) / determinant;
     if (std::abs(t) > gap.halfWidth + throatPart * size)
         return false;
     const double s = cross(apart, gap.axis) / determinant, extra = lengthening * size / length;
     return s >= -extra && s <= 1.0 + extra;
+}
+
+void MidGap::crossings(const Configuration &q, double lengthening, std::vector<GapCrossing> &result) const
+{
+    crossings(placed(arm_, q), lengthening, result);
+}
+
+void MidGap::evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,
+                      Eigen::MatrixXd &transposedJacobian) const
+{
+    evaluate(placed(arm_, q), crossings, values, transposedJacobian);
 }
 
 void MidGap::crossings(const std::vector<Vector2d> &points, double lengthening, std::vector<GapCrossing> &result) const
@@ -48,7 +66,7 @@ void MidGap::crossings(const std::vector<Vector2d> &points, double lengthening, 
         const Vector2d &base = points[static_cast<std::size_t>(arm_.links()[link].parent + 1)];
         const Vector2d &tip = points[static_cast<std::size_t>(link + 1)];
         for (std::size_t gap = 0; gap < gaps_.size(); ++gap)
-            if (crosses(base, tip, gaps_[gap], lengthening))
+            if (crossesGap(base, tip, gaps_[gap], lengthening, largestSize_))
                 result.push_back({link, static_cast<int>(gap), true});
     }
 }
@@ -64,7 +82,7 @@ void MidGap::evaluate(const std::vector<Vector2d> &points, const std::vector<Gap
     Eigen::Index row = 0;
     for (const GapCrossing &crossing : crossings)
     {
-        const Gap &gap = gaps_[static_cast<std::size_t>(crossing.gap)];
+        const Gap &gap = gapOf(crossing);
         const PlanarLink &link = arm_.links()[static_cast<std::size_t>(crossing.link)];
         const Vector2d &base = points[static_cast<std::size_t>(link.parent + 1)];
         const Vector2d along = (points[static_cast<std::size_t>(crossing.link + 1)] - base) / link.length;

@@ -5,16 +5,15 @@
 
 #include "kernel/PlanarArm.h"
 #include "kernel/threading/Gap.h"
+#include "kernel/threading/GapEquations.h"
 
 namespace narrows
 {
-/// A link that crosses a gap.
-struct GapCrossing
-{
-    int link;
-    int gap;
-    bool square;  ///< the link shall also stand square to the gap's axis
-};
+/// Whether a link crosses a gap: where its line meets the axis nearer to the middle than half the width and 0.3 sizes,
+/// at more than 30 degrees, on the link made longer at both ends.
+/// \param lengthening in sizes of the gap (never taken for more than `largestSize`); >= 0
+bool crossesGap(const Eigen::Vector2d &base, const Eigen::Vector2d &tip, const Gap &gap, double lengthening,
+                double largestSize);
 
 /// The configurations in which links of a planar arm go through the middle of gaps. With the link's base b, direction
 /// u, normal n (to its left), and the gap's middle m and axis e:
@@ -24,17 +23,15 @@ struct GapCrossing
 ///
 /// F1 alone holds links that are tilted until they touch: tilt may be as large as about the root of 2 halfWidth /
 /// size. Both are smooth everywhere, in collision too. Immutable.
-class MidGap
+class MidGap : public GapEquations
 {
 public:
     MidGap(const PlanarArm &arm, std::vector<Gap> gaps);
 
     const std::vector<Gap> &gaps() const { return gaps_; }
 
-    /// Which links cross which gaps: where the link's line meets the axis nearer to the middle than half the width and
-    /// 0.3 sizes, at more than 30 degrees, on the link made longer at both ends. All are square.
+    /// Which links cross which gaps (crossesGap(), sizes up to half the longest link). All are square.
     /// \param points as PlanarArm::place yields them
-    /// \param lengthening in sizes of the gap (never taken for more than half the longest link); >= 0
     void crossings(const std::vector<Eigen::Vector2d> &points, double lengthening,
                    std::vector<GapCrossing> &result) const;
 
@@ -45,9 +42,18 @@ public:
 
     const PlanarArm &arm() const { return arm_; }
 
-private:
-    bool crosses(const Eigen::Vector2d &base, const Eigen::Vector2d &tip, const Gap &gap, double lengthening) const;
+    int gapCount() const override { return static_cast<int>(gaps_.size()); }
+    double halfWidth(const Configuration &, const GapCrossing &crossing) const override
+    {
+        return gapOf(crossing).halfWidth;
+    }
+    double size(const GapCrossing &crossing) const override { return gapOf(crossing).size; }
+    void crossings(const Configuration &q, double lengthening, std::vector<GapCrossing> &result) const override;
+    void evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,
+                  Eigen::MatrixXd &transposedJacobian) const override;
 
+private:
+    const Gap &gapOf(const GapCrossing &crossing) const { return gaps_[static_cast<std::size_t>(crossing.gap)]; }
     PlanarArm arm_;
     std::vector<Gap> gaps_;
     double largestSize_;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace narrows
+{
+/// A link that crosses a gap.
+struct GapCrossing
+{
+    int link;
+    int gap;
+    bool square;  ///< the link shall also stand square to the gap's axis
+};
+
+/// The equations F = 0 of the configurations in which links of an arm go through gaps in the middle: one row F1, a
+/// length, per crossing and, if it is square, another one F2, a sine. Smooth wherever links cross gaps, in collision
+/// too. What CentredStep needs to know of a robot. Immutable and thread-safe.
+class GapEquations
+{
+public:
+    using Configuration = Eigen::Ref<const Eigen::VectorXd>;
+
+    virtual ~GapEquations() = default;
+
+    virtual int gapCount() const = 0;
+    /// Half the room that the link has across the gap, which may move with the arm.
+    virtual double halfWidth(const Configuration &q, const GapCrossing &crossing) const = 0;
+    /// How far off its middle, along the link, what makes the gap narrow still does; > 0.
+    virtual double size(const GapCrossing &crossing) const = 0;
+
+    /// Which links cross which gaps, on links taken for longer at both ends. All are square.
+    /// \param lengthening in sizes of the gap; >= 0
+    virtual void crossings(const Configuration &q, double lengthening, std::vector<GapCrossing> &result) const = 0;
+
+    /// F by rows, and its derivative by the configuration, one column per row.
+    virtual void evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,
+                          Eigen::MatrixXd &transposedJacobian) const = 0;
+};
+}  // namespace narrows

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace narrows
+{
+/// Where a robot overlaps obstacles most, and how it gets out: far cheaper than to certify a motion.
+class Overlap
+{
+public:
+    virtual ~Overlap() = default;
+
+    /// A function of the link and the obstacle that overlap most: negative, and nearer to 0 the less they do; 0 if none
+    /// do. `gradient` is its derivative by the configuration, if it is not 0.
+    virtual double deepest(const Eigen::Ref<const Eigen::VectorXd> &q, Eigen::VectorXd &gradient) = 0;
+
+    /// Whether a link overlaps an obstacle at one of the configurations q + (i / parts) delta, 0 < i < parts, the
+    /// middle first. Where that is not much cheaper than to certify the motion, none is looked at. \param parts 1, 2, 4
+    /// or 8
+    virtual bool isMetBetween(const Eigen::Ref<const Eigen::VectorXd> & /*q*/,
+                              const Eigen::Ref<const Eigen::VectorXd> & /*delta*/, int /*parts*/)
+    {
+        return false;
+    }
+};
+}  // namespace narrows

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The schedule of Threader and what its members do when it is their turn.
+#include <algorithm>
+#include <cmath>
+
+#include "planners/Threader.h"
+
+namespace narrows
+{
+namespace
+{
+constexpr int firstBudget = 24;  ///< samples in all of joint space in the first round
+constexpr int sliceShare = 5;    ///< of that number, samples per slice
+constexpr int cellShare = 4;     ///< of it, steps by cells
+constexpr double growth = 1.5;   ///< of that, from round to round
+constexpr double mostSamples = 1e6;
+constexpr int firstTraces = 4;  ///< round of the first curves
+constexpr int tracesPerRound = 4;
+constexpr int leastDimension = 3;   ///< of slices
+constexpr double longRange = 3.0;   ///< radians: in the open
+constexpr double shortRange = 0.5;  ///< in narrow places
+constexpr double cellRange = 1.0;   ///< radians by which a joint turns
+constexpr double defaultSliceRange = 0.8;
+constexpr int openSamples = 12;  ///< that are taken for samples in the open, to begin with
+}  // namespace
+
+Eigen::VectorXd Threader::randomPoint(Eigen::Index dimension)
+{
+    Eigen::VectorXd offset(dimension);
+    for (double &value : offset)
+        value = rng_.uniform01();
+    return offset;
+}
+
+void Threader::makeMembers()
+{
+    members_.clear();
+    if (full_)
+        members_.push_back({Member::Kind::Full, 0, std::nullopt});
+    if (slices_)
+    {
+        const int most = std::min(sliceDimensions_, static_cast<int>(chart_.dimension()));
+        for (int dimension = std::min(leastDimension, most); dimension <= most; ++dimension)
+            members_.push_back({Member::Kind::Slice, dimension, std::nullopt});
+    }
+    if (cells_)
+        members_.push_back({Member::Kind::Cells, 0, std::nullopt});
+    if (traces_ && repulsion_)
+        members_.push_back({Member::Kind::Traces, 0, std::nullopt});
+}
+
+void Threader::makeSlices()
+{
+    const int offset = planar_ && planar_->arm.slide() ? 1 : 0;
+    const int joints = static_cast<int>(chart_.dimension()) - offset;
+    Eigen::MatrixXd modes = cosineModes(joints, std::min(joints, sliceDimensions_), offset);
+    for (Eigen::Index k = 0; k < modes.cols(); ++k)
+        modes.col(k) = chart_.fromConfiguration(modes.col(k));
+    search_->setSlices(affineSlices(search_->root(0, 0), search_->root(1, 0), modes, sliceDimensions_));
+}
+
+bool Threader::goStraight()
+{
+    for (int start = 0; start < search_->roots(0); ++start)
+        for (int goal = 0; goal < search_->roots(1); ++goal)
+            if (search_->goStraight(start, goal))
+                return true;
+    return false;
+}
+
+bool Threader::run(Member &member, const ob::PlannerTerminationCondition &ptc)
+{
+    if (member.kind == Member::Kind::Traces)
+        return trace(ptc);
+    if (member.kind == Member::Kind::Slice && search_->slices().dimensions() == 0)
+        makeSlices();
+    if (member.kind == Member::Kind::Slice && member.dimension > search_->slices().dimensions())
+        return false;  // what it would add is in the smaller ones
+    if (member.kind == Member::Kind::Slice && !member.samples)
+        member.samples.emplace(randomPoint(member.dimension));
+    const int share = member.kind == Member::Kind::Slice   ? sliceShare
+                      : member.kind == Member::Kind::Cells ? cellShare
+                                                           : 1;
+    const int budget = static_cast<int>(std::min(share * firstBudget * std::pow(growth, round_), mostSamples));
+    for (; used_ < budget && !ptc; ++used_)
+    {
+        addGoals();
+        if (grow(member, ptc))
+            return true;
+    }
+    return false;
+}
+
+bool Threader::grow(Member &member, const ob::PlannerTerminationCondition &ptc)
+{
+    switch (member.kind)
+    {
+        case Member::Kind::Slice:
+            return growSlice(member, ptc);
+        case Member::Kind::Cells:
+            return search_->explore(cellRange, rng_, ptc);
+        default:
+            return growFull(ptc);
+    }
+}
+
+bool Threader::growFull(const ob::PlannerTerminationCondition &ptc)
+{
+    // Independent samples: of low discrepancy, the first few dozen were measured to be worse in 8 dimensions.
+    const Eigen::VectorXd sample =
+        chart_.lower() + randomPoint(chart_.dimension()).cwiseProduct(chart_.upper() - chart_.lower());
+    const int number = fullSamples_++;
+    const bool isLong = number < openSamples || number / 2 % 2 == 0;
+    const double range = range_ > 0.0 ? range_ : (isLong ? longRange : shortRange);
+    return search_->grow({0, range}, sample, rng_, ptc);
+}
+
+bool Threader::growSlice(Member &member, const ob::PlannerTerminationCondition &ptc)
+{
+    const AffineSlices &slices = search_->slices();
+    const double joints = static_cast<double>(chart_.dimension());
+    const double box = sliceBox_ * std::sqrt(joints / member.dimension);
+    Eigen::VectorXd place = box * (2.0 * member.samples->next().array() - 1.0);
+    place[0] += 0.5 * (search_->root(1, 0) - search_->root(0, 0)).norm();
+    const double range = sliceRange_ > 0.0 ? sliceRange_ : defaultSliceRange;
+    return search_->grow({member.dimension, range}, slices.point(place), rng_, ptc);
+}
+
+bool Threader::trace(const ob::PlannerTerminationCondition &ptc)
+{
+    // In a maze a curve costs as much as dozens of samples and seldom arrives: trees come first.
+    if (round_ < firstTraces)
+        return false;
+    if (!curves_)
+    {
+        curves_ = std::make_shared<HPPM>(si_, repulsion_());
+        curves_->setName(getName());
+        curves_->setProblemDefinition(pdef_);
+    }
+    tries_ += tracesPerRound;
+    curves_->setTries(tries_);
+    return curves_->solve(ptc) == ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+void Threader::addGoals()
+{
+    // As many as RRT-Connect: half the goal's tree. The first ones may lie where no way leads to.
+    if (!pis_.haveMoreGoalStates() || 2 * search_->roots(1) > search_->tree(1).size())
+        return;
+    if (const ob::State *goal = pis_.nextGoal())
+        search_->addGoal(goal);
+}
+
+void Threader::passOn()
+{
+    used_ = 0;
+    if (++member_ < members_.size())
+        return;
+    member_ = 0;
+    ++round_;
+}
+}  // namespace narrows
