@@ -32,6 +32,7 @@ void castInDuct(benchmark::State &state)
     options.fan.radius = scene.radius;
     options.fan.couples = static_cast<int>(state.range(0));
     options.fan.spacing = static_cast<double>(state.range(1));
+    options.window = 20.0;
     BeamPath<3> path;
     for (auto _ : state)
         benchmark::DoNotOptimize(path = beamPath<3>(ductMiddle, distance, options));

@@ -19,6 +19,7 @@ BeamOptions optionsFor(double length)
     options.fan.linkLength = length;
     options.fan.radius = 5.0;
     options.fan.spacing = 10.0;
+    options.window = 50.0;
     return options;
 }
 
@@ -68,6 +69,26 @@ TEST(BeamPath, SwingsAwayFromTheInnerCorner)
     EXPECT_NEAR(beams.path[5].x(), 5.1, 0.01) << "along the left wall before a bend to the right";
     EXPECT_NEAR(beams.path[beams.path.size() - 6].x(), 794.9, 0.01) << "along the right wall behind one to the left";
     EXPECT_EQ(beams.beams, 2 * static_cast<int>(beams.path.size()));
+}
+
+TEST(BeamPath, FindsTheSameRegionsHoweverDenseTheStationsAre)
+{
+    const ChainScene<2> scene = ladderScene("S3");
+    BeamOptions options = optionsFor(400.0);
+    const BeamPath<2> coarse = pathThrough(scene, options);
+    EXPECT_EQ(coarse.regions.size(), 3u) << "U-turns";
+    for (const double spacing : {5.0, 2.5})
+    {
+        options.fan.spacing = spacing;
+        const BeamPath<2> fine = pathThrough(scene, options);
+        ASSERT_EQ(fine.regions.size(), coarse.regions.size()) << spacing;
+        for (std::size_t i = 0; i < coarse.regions.size(); ++i)
+        {
+            EXPECT_EQ(fine.regions[i].side, coarse.regions[i].side);
+            EXPECT_NEAR(fine.regions[i].first * spacing, coarse.regions[i].first * 10.0, 20.0) << spacing;
+            EXPECT_NEAR(fine.regions[i].last * spacing, coarse.regions[i].last * 10.0, 20.0) << spacing;
+        }
+    }
 }
 
 TEST(BeamPath, ChangesSidesInTheMiddleOrEarlier)
@@ -120,6 +141,7 @@ TEST(BeamPath, ChoosesTheCoupleInWhosePlaneADuctBends)
         options.fan.linkLength = 60.0;
         options.fan.radius = 2.0;
         options.fan.spacing = 4.0;
+        options.window = 20.0;
         const BeamPath<3> beams = beamPath<3>(middle, duct, options);
         ASSERT_EQ(beams.failure, BeamFailure::None);
         ASSERT_EQ(beams.regions.size(), 1u);
@@ -167,6 +189,12 @@ TEST(BeamPath, NamesItsFailures)
     wrong = options;
     wrong.switchAt = 1.1;
     EXPECT_THROW(beamPath<2>({{0.0, 9.0}, {9.0, 9.0}}, wall, wrong), std::invalid_argument);
+    for (const double window : {-1.0, std::numeric_limits<double>::infinity()})
+    {
+        wrong = options;
+        wrong.window = window;
+        EXPECT_THROW(beamPath<2>({{0.0, 9.0}, {9.0, 9.0}}, wall, wrong), std::invalid_argument);
+    }
     wrong = options;
     wrong.fan.linkLength = 0.0;
     EXPECT_THROW(beamPath<2>({{0.0, 9.0}, {9.0, 9.0}}, wall, wrong), std::invalid_argument);

@@ -66,6 +66,55 @@ TEST(ChordRelaxation, KeepsJointsWithinTheirLimit)
     EXPECT_LE(limited.certificate.largestAngle, spec.maxAngle);
 }
 
+TEST(ChordRelaxation, PushesLinksThatMeetApart)
+{
+    // A loop that comes back across its own beginning, 0.5 above it, with links 4 thick; and one that comes back across
+    // the entrance line.
+    const ChordObstacles<3> nothing({});
+    const Eigen::Vector3d entrance = Eigen::Vector3d::UnitX();
+    for (const double crossing : {40.0, -30.0})
+    {
+        const PointPath<3> loop = windowed<3>(
+            resampled<3>({{0, 0, 0}, {100, 0, 0}, {100, 60, 0}, {crossing, 60, 0}, {crossing, -60, 1}}, 2.0), 5, 3);
+        ChainSpec spec{40, 12.0, 2.0, 1.5, false};
+        const RelaxedPath<3> without = relaxChords<3>(loop, entrance, nothing, spec, relaxationOptions(20.0));
+        ASSERT_TRUE(without.certificate) << toText(without.certificate.failure);
+        spec.selfCollision = true;
+        EXPECT_EQ(certifyChain<3>(LeaderPath<3>(without.nodes, entrance), nothing, spec).failure,
+                  ChainFailure::SelfCollision);
+        const RelaxedPath<3> pushed = relaxChords<3>(loop, entrance, nothing, spec, relaxationOptions(20.0));
+        EXPECT_TRUE(pushed.certificate) << crossing << " " << toText(pushed.certificate.failure);
+        EXPECT_EQ(pushed.nodes.back(), loop.back());
+    }
+}
+
+TEST(ChordRelaxation, CannotPartLinksThatCrossInThePlane)
+{
+    const PointPath<2> loop = resampled<2>({{0, 0}, {100, 0}, {100, 60}, {40, 60}, {40, -60}}, 2.0);
+    const ChainSpec spec{40, 12.0, 2.0, 1.5, true};
+    const RelaxedPath<2> pushed =
+        relaxChords<2>(loop, {1.0, 0.0}, ChordObstacles<2>({}), spec, relaxationOptions(20.0));
+    EXPECT_EQ(pushed.certificate.failure, ChainFailure::SelfCollision);
+}
+
+TEST(ChordRelaxation, EndsNearTheGoalIfThatIsAllowed)
+{
+    // The goal is 4 from a wall, the links are 5 thick.
+    const ChordObstacles<2> wall({solidBox("wall", Eigen::Vector2d(100.0, 0.0), Eigen::Vector2d(120.0, 1000.0))});
+    const ChainSpec spec{10, 60.0, 5.0};
+    const PointPath<2> path = resampled<2>({{50.0, 0.0}, {50.0, 200.0}, {96.0, 400.0}}, 10.0);
+    RelaxationOptions options = relaxationOptions(100.0);
+    EXPECT_EQ(relaxChords<2>(path, {0.0, 1.0}, wall, spec, options).certificate.failure, ChainFailure::ChordClearance);
+    options.goalRoom = 3.0;
+    const RelaxedPath<2> moved = relaxChords<2>(path, {0.0, 1.0}, wall, spec, options);
+    EXPECT_TRUE(moved.certificate) << toText(moved.certificate.failure);
+    EXPECT_LE((moved.nodes.back() - path.back()).norm(), 3.0 + 1e-12);
+    EXPECT_LE(moved.nodes.back().x(), 95.0);
+    EXPECT_EQ(moved.nodes.front(), path.front());
+    options.goalRoom = -1.0;
+    EXPECT_THROW(relaxChords<2>(path, {0.0, 1.0}, wall, spec, options), std::invalid_argument);
+}
+
 TEST(ChordRelaxation, SaysWhyNot)
 {
     // Longer than a right-angle bend lets through by any path.

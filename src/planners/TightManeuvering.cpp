@@ -63,14 +63,16 @@ ob::PlannerStatus TightManeuvering::takeGoals(const ob::PlannerTerminationCondit
     {
         if (tip->goal().link != planar_->arm.linkCount() - 1)
             return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-        runs_.push_back(makeTightRun(si_, *planar_, settings_, start_, {tip->goal().point, std::nullopt}));
+        runs_.push_back(
+            makeTightRun(si_, *planar_, settings_, start_, {tip->goal().point, std::nullopt, tip->goal().tolerance}));
         return ob::PlannerStatus::UNKNOWN;
     }
     if (const auto *tip = dynamic_cast<const SpatialTipGoalRegion *>(goal))
     {
         if (tip->goal().link != spatial_->arm.linkCount() - 1)
             return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-        runs_.push_back(makeTightRun(si_, *spatial_, settings_, start_, {tip->goal().point, std::nullopt}));
+        runs_.push_back(
+            makeTightRun(si_, *spatial_, settings_, start_, {tip->goal().point, std::nullopt, tip->goal().tolerance}));
         return ob::PlannerStatus::UNKNOWN;
     }
     // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when it has none left.
@@ -87,12 +89,12 @@ void TightManeuvering::addRun(const ob::State *goal)
     {
         const auto *space = si_->getStateSpace()->as<PlanarArmStateSpace>();
         const Eigen::Vector2d tip = space->tip(goal, planar_->arm.linkCount() - 1);
-        runs_.push_back(makeTightRun(si_, *planar_, settings_, start_, {tip, values}));
+        runs_.push_back(makeTightRun(si_, *planar_, settings_, start_, {tip, values, 0.0}));
         return;
     }
     const auto *space = si_->getStateSpace()->as<SpatialArmStateSpace>();
     const Eigen::Vector3d tip = space->tip(goal, spatial_->arm.linkCount() - 1);
-    runs_.push_back(makeTightRun(si_, *spatial_, settings_, start_, {tip, values}));
+    runs_.push_back(makeTightRun(si_, *spatial_, settings_, start_, {tip, values, 0.0}));
 }
 
 bool TightManeuvering::tryNext(const ob::PlannerTerminationCondition &ptc)

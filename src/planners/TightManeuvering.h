@@ -27,8 +27,8 @@ namespace narrows
    Three-Dimensional Environments, Applied Sciences 12 (2022) 8882. docs/tight.md lists its gaps, and what is ours.
 
    Parameters: `mode` (relax, middle, beams), `field` of the middle path (corridor, laplace), `spacing` of its grid (0:
-   a twelfth of a link), `corridors` that are tried at most, `refinements` of the grid where there is no way through it,
-   `rounds` of relaxation per try, `couples` of beams in space.
+   a twelfth of a link in space, a fortieth in the plane), `corridors` that are tried at most, `refinements` of the grid
+   where there is no way through it, `rounds` of relaxation per try, `couples` of beams in space.
 */
 class TightManeuvering : public ModelPlanner
 {
@@ -56,11 +56,11 @@ public:
     void setField(const std::string &field);
     std::string getField() const;
     void setSpacing(double spacing);
-    double getSpacing() const { return settings_.spacing; }
+    double getSpacing() const { return settings_.grid.spacing; }
     void setCorridors(int count);
-    int getCorridors() const { return settings_.corridors; }
+    int getCorridors() const { return settings_.grid.corridors; }
     void setRefinements(int count);
-    int getRefinements() const { return settings_.refinements; }
+    int getRefinements() const { return settings_.grid.refinements; }
     void setRounds(int rounds);
     int getRounds() const { return settings_.rounds; }
     void setCouples(int couples);

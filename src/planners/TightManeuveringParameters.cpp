@@ -40,30 +40,30 @@ std::string TightManeuvering::getMode() const
 void TightManeuvering::setField(const std::string &field)
 {
     require(field == "corridor" || field == "laplace", "field is corridor or laplace, not \"" + field + "\"");
-    settings_.field = field == "corridor" ? TightField::Corridor : TightField::Laplace;
+    settings_.grid.field = field == "corridor" ? TightField::Corridor : TightField::Laplace;
 }
 
 std::string TightManeuvering::getField() const
 {
-    return settings_.field == TightField::Corridor ? "corridor" : "laplace";
+    return settings_.grid.field == TightField::Corridor ? "corridor" : "laplace";
 }
 
 void TightManeuvering::setSpacing(double spacing)
 {
     require(spacing >= 0.0, "spacing must not be negative");
-    settings_.spacing = spacing;
+    settings_.grid.spacing = spacing;
 }
 
 void TightManeuvering::setCorridors(int count)
 {
     requireCount(count, 64, "corridors");
-    settings_.corridors = count;
+    settings_.grid.corridors = count;
 }
 
 void TightManeuvering::setRefinements(int count)
 {
     require(count >= 0 && count <= 4, "refinements must lie between 0 and 4");
-    settings_.refinements = count;
+    settings_.grid.refinements = count;
 }
 
 void TightManeuvering::setRounds(int rounds)

@@ -12,7 +12,8 @@ namespace narrows
 namespace
 {
 constexpr double straightness = 1e-9;
-constexpr double firstStep = 0.125;  ///< of the tip, in link lengths
+constexpr double withinTolerance = 0.9;  ///< of the goal, for what rounding and the joints' values may add
+constexpr double firstStep = 0.125;      ///< of the tip, in link lengths
 constexpr double longestStep = 0.5;
 constexpr double shortestStep = 1e-7;
 constexpr double stepGrowth = 1.25;
@@ -40,7 +41,7 @@ public:
         entrance_ = (centres[1] - centres[0]).normalized();
         refusal_ = isStraight(centres) ? "" : "start_not_straight";
         search_ = std::make_unique<TightSearch<D>>(obstacles_, robot_.spec(), settings_, centres.back(), entrance_,
-                                                   goal_.tip);
+                                                   goal_.tip, withinTolerance * goal_.tolerance);
     }
 
     std::string refusal() const override { return refusal_; }
@@ -52,12 +53,13 @@ public:
         {
             const TightAttempt<D> attempt = search_->next(stop);
             if (attempt.nodes.empty())
-                return {{start_}, attempt.failure};
+                return {{start_}, attempt.failure.empty() ? lastFailure_ : attempt.failure};
             measures_["amplification"] = attempt.certificate.amplification;
             measures_["largest_angle"] = attempt.certificate.largestAngle;
             measures_["link_clearance"] = attempt.certificate.clearance;
             // Ways of links may cross where links do not meet: the validator knows.
             const bool worthFeeding = attempt.failure.empty() || attempt.failure == toText(ChainFailure::SelfCollision);
+            lastFailure_ = attempt.failure;
             if (!worthFeeding)
                 return {{start_}, attempt.failure};
             begin(attempt);
@@ -68,6 +70,7 @@ public:
             return outcome;
         if (!outcome.failure.empty() && !feed_->doubt.empty())
             outcome.failure = feed_->doubt;
+        lastFailure_ = outcome.failure;
         feed_.reset();
         return outcome;
     }
@@ -193,6 +196,7 @@ private:
     std::string refusal_;
     std::unique_ptr<TightSearch<D>> search_;
     std::optional<Feed> feed_;  ///< what is under way
+    std::string lastFailure_;
     std::map<std::string, double> measures_;
 };
 }  // namespace

@@ -46,6 +46,7 @@ struct TightGoal
 {
     Eigen::Matrix<double, D, 1> tip;
     std::optional<Eigen::VectorXd> values;  ///< configuration to end in; none: the tip is all that matters
+    double tolerance = 0.0;                 ///< >= 0, how far from it the tip may end
 };
 
 /// \pre whyNoChain() of the model says nothing, the space is the robot's

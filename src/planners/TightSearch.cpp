@@ -5,42 +5,29 @@
 #include <cmath>
 
 #include "kernel/beams/BeamPath.h"
-#include "kernel/fields/CorridorClasses.h"
-#include "kernel/fields/DistanceField.h"
-#include "kernel/fields/FieldStreamline.h"
-#include "kernel/fields/LaplaceSweeps.h"
-#include "kernel/fields/ObstacleCells.h"
 
 namespace narrows
 {
 namespace
 {
-constexpr double cellsPerLink = 12.0;
-constexpr double mostCells = 2e6;   ///< of the first grid; a refined one may have eight times as many, and so on
 constexpr double firstShare = 0.5;  ///< of the link length, where growing begins
 constexpr double growth = 0.05;
 constexpr int mostAdvances = 6;    ///< of the start along the entrance line
 constexpr double mostSpare = 0.5;  ///< of a link: how much further than necessary
 constexpr double leastSpare = 0.1;
-
-/// The sides of a box, those at infinity replaced.
-template <class Point>
-void enclose(const Point &lower, const Point &upper, double far, Point &least, Point &most)
-{
-    for (Eigen::Index axis = 0; axis < least.size(); ++axis)
-    {
-        if (!(lower[axis] <= upper[axis]))
-            continue;
-        least[axis] = std::min(least[axis], std::max(lower[axis], least[axis] - far));
-        most[axis] = std::max(most[axis], std::min(upper[axis], most[axis] + far));
-    }
-}
 }  // namespace
 
 template <int D>
 TightSearch<D>::TightSearch(const ChordObstacles<D> &obstacles, const ChainSpec &spec, const TightSettings &settings,
-                            const Point &start, const Point &entrance, const Point &goal)
-  : obstacles_(obstacles), spec_(spec), settings_(settings), start_(start), entrance_(entrance), goal_(goal)
+                            const Point &start, const Point &entrance, const Point &goal, double goalRoom)
+  : obstacles_(obstacles),
+    spec_(spec),
+    settings_(settings),
+    start_(start),
+    entrance_(entrance),
+    goal_(goal),
+    goalRoom_(goalRoom),
+    ways_(obstacles, spec, settings.grid)
 {
 }
 
@@ -48,53 +35,84 @@ template <int D>
 TightAttempt<D> TightSearch<D>::next(const std::function<bool()> &stop)
 {
     TightAttempt<D> attempt;
-    if (ways_.empty())
+    if (between_)
+    {
+        advance(stop);
+        if (between_)
+            attempt.failure = "timeout";
+        if (between_ || done_)
+            return attempt;
+    }
+    if (ways_.found().empty())
     {
         attempt.failure = findWays();
         done_ = !attempt.failure.empty();
         if (done_)
             return attempt;
     }
-    const Way &way = ways_[way_];
-    if (settings_.mode == TightMode::Middle)
-        attempt = certified(way.middle);
-    else if (settings_.mode == TightMode::Beams || kind_ == Start::Beams)
-        attempt = tryBeams(way, stop);
-    else if (kind_ == Start::Middle)
-        attempt = relaxed(way, way.middle, spec_.length, 1.0, stop);
-    else
-        attempt = grow(way, kind_ == Start::Growing ? 1.0 : 0.5, stop);
+    attempt = tryWay(ways_.found()[way_], stop);
     if (!attempt.failure.empty() && stop())
         attempt.failure = "timeout";
     else
     {
         if (attempt.failure == toText(ChainFailure::TooShort) && tooLong_.empty())
             tooLong_ = attempt.nodes;
-        advance();
+        between_ = true;
+        if (!attempt.failure.empty())
+            advance(stop);
     }
     return attempt;
 }
 
-/// To the same try in the next corridor, then to the next kind of tries. Further corridors are looked for when the
-/// cheapest one has not let the chain through at once.
 template <int D>
-void TightSearch<D>::advance()
+TightAttempt<D> TightSearch<D>::tryWay(const Way &way, const std::function<bool()> &stop)
 {
-    const bool several = settings_.mode == TightMode::Relax && settings_.field == TightField::Corridor;
-    if (kind_ == Start::Beams && !searchedAll_ && several && settings_.corridors > 1)
+    if (settings_.mode == TightMode::Middle)
+        return certified(way.middle);
+    if (settings_.mode == TightMode::Beams)
+        return tryBeams(way, stop);
+    switch (kind_)
     {
-        searchedAll_ = true;
-        corridorWays(grid_, clearance_, settings_.corridors);
-        counts_["corridors"] = static_cast<double>(ways_.size());
-        // The first one is the cheapest: it has been tried.
-        kind_ = ways_.size() > 1 ? Start::Middle : Start::Beams;
-        way_ = 0;
+        case Start::Middle:
+            return relaxed(way, way.middle, spec_.length, 1.0, stop);
+        case Start::Coarse:
+            return relaxed(way, way.middle, spec_.length, 2.0, stop);
+        case Start::Beams:
+            return tryBeams(way, stop);
+        case Start::Growing:
+            return grow(way, 1.0, stop);
+        case Start::GrowingFine:
+            return grow(way, 0.5, stop);
     }
-    if (++way_ < ways_.size())
+    return {};
+}
+
+/// Quick tries in one corridor, then in the next one that is found; when there is none left, those that take longer, in
+/// all of them. Stays between two tries if it is stopped.
+template <int D>
+void TightSearch<D>::advance(const std::function<bool()> &stop)
+{
+    // In the plane the path through beams' ends is the best start there is; in space it is long and winds.
+    constexpr Start lastQuick = D == 2 ? Start::Beams : Start::Coarse;
+    const std::size_t count = ways_.found().size();
+    const bool once = settings_.mode != TightMode::Relax;
+    if (!once && kind_ == lastQuick && ways_.findAnother(stop))
+    {
+        kind_ = Start::Middle;
+        way_ = count;
+    }
+    else if (!once && kind_ == lastQuick && ways_.hasMore())
         return;
-    way_ = 0;
-    done_ = settings_.mode != TightMode::Relax || kind_ == Start::GrowingFine;
-    kind_ = static_cast<Start>(static_cast<int>(kind_) + 1);
+    else if (kind_ < lastQuick)
+        kind_ = static_cast<Start>(static_cast<int>(kind_) + 1);
+    else if (kind_ == lastQuick || ++way_ == count)
+    {
+        way_ = 0;
+        done_ = kind_ == Start::GrowingFine;
+        kind_ = static_cast<Start>(static_cast<int>(kind_) + 1);
+    }
+    between_ = false;
+    done_ = done_ || once;
     // Relaxed paths are longer than the ways that they come from: all again, from a start that has been moved on.
     if (done_ && !tooLong_.empty() && feedStraight(tooLong_))
         restart();
@@ -103,40 +121,28 @@ void TightSearch<D>::advance()
 template <int D>
 void TightSearch<D>::restart()
 {
-    ways_.clear();
     tooLong_.clear();
     kind_ = Start::Middle;
-    searchedAll_ = false;
-    done_ = false;
+    way_ = 0;
+    done_ = !findWays().empty();
 }
 
 template <int D>
 std::string TightSearch<D>::findWays()
 {
-    std::string failure;
-    for (int refinement = 0; refinement <= settings_.refinements && ways_.empty(); ++refinement)
-    {
-        VoxelGrid<D> grid;
-        failure = openGrid(refinement, grid);
-        if (!failure.empty())
-            break;
-        counts_["cells"] += grid.cells();
-        std::vector<float> clearance = distanceField(grid, GridBorder::Open);
-        failure = firstWay(grid, clearance);
-        while (failure.empty() && feedStraight(ways_.front().middle))
-            failure = firstWay(grid, clearance);
-        grid_ = std::move(grid);
-        clearance_ = std::move(clearance);
-    }
-    counts_["corridors"] = static_cast<double>(ways_.size());
+    std::string failure = ways_.findFirst(start_, goal_);
+    while (failure.empty() && feedStraight(ways_.found().front().middle))
+        failure = ways_.findFirst(start_, goal_);
     return failure;
 }
 
 template <int D>
-std::string TightSearch<D>::firstWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance)
+std::map<std::string, double> TightSearch<D>::counts() const
 {
-    ways_.clear();
-    return settings_.field == TightField::Corridor ? corridorWays(grid, clearance, 1) : laplaceWay(grid, clearance);
+    std::map<std::string, double> all = counts_;
+    for (const auto &[name, count] : ways_.counts())
+        all[name] = count;
+    return all;
 }
 
 /// Moves the start on along the entrance line if the chain would not reach back to it from the end of a path, and if
@@ -161,75 +167,6 @@ bool TightSearch<D>::feedStraight(const PointPath<D> &nodes)
     return false;
 }
 
-/// A grid around obstacles, start and goal, finer and reaching further with every refinement.
-template <int D>
-std::string TightSearch<D>::openGrid(int refinement, VoxelGrid<D> &grid) const
-{
-    const double share = std::ldexp(1.0, refinement);
-    Point lower = start_.cwiseMin(goal_), upper = start_.cwiseMax(goal_);
-    enclose<Point>(obstacles_.lower(), obstacles_.upper(), spec_.length * spec_.links, lower, upper);
-    lower.array() -= 0.25 * share * spec_.length;
-    upper.array() += 0.25 * share * spec_.length;
-    double spacing = settings_.spacing > 0.0 ? settings_.spacing : spec_.length / cellsPerLink;
-    if (settings_.spacing == 0.0)
-        spacing = std::max(spacing, std::pow((upper - lower).prod() / mostCells, 1.0 / D));
-    auto made = VoxelGrid<D>::make(lower, upper, spacing / share);
-    if (made.failure != GridFailure::None)
-        return toText(made.failure);
-    grid = std::move(made.grid);
-    occupyCells(grid, obstacles_.obstacles(), std::max(spec_.radius, 0.5 * std::sqrt(D) * grid.spacing()));
-    return "";
-}
-
-template <int D>
-std::string TightSearch<D>::corridorWays(const VoxelGrid<D> &grid, const std::vector<float> &clearance, int count)
-{
-    CorridorClassOptions options;
-    options.count = count;
-    options.searches = 3 * count;
-    options.corridor.wide = spec_.length;
-    ways_.clear();
-    for (const Corridor<D> &corridor : findCorridors(grid, clearance, start_, goal_, options))
-    {
-        if (corridor.failure != CorridorFailure::None)
-            return "no_corridor";
-        addWay(grid, clearance, corridor.path);
-    }
-    return "";
-}
-
-template <int D>
-std::string TightSearch<D>::laplaceWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance)
-{
-    const LaplaceSystem<D> system(grid);
-    const LaplaceField field =
-        system.failure() == LaplaceFailure::None ? system.solve(goal_) : laplaceBySweeps(grid, goal_);
-    if (field.failure != LaplaceFailure::None)
-        return field.failure == LaplaceFailure::GoalBlocked ? "no_corridor" : toText(field.failure);
-    const Streamline<D> line = followField(grid, field.phi, start_, goal_);
-    if (line.failure != StreamlineFailure::None)
-        return line.failure == StreamlineFailure::StartBlocked ? "no_corridor" : toText(line.failure);
-    addWay(grid, clearance, line.path);
-    return "";
-}
-
-template <int D>
-void TightSearch<D>::addWay(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const PointPath<D> &path)
-{
-    std::vector<double> room;
-    for (const Point &point : path)
-        if (const int cell = grid.cellAround(point); cell >= 0 && std::isfinite(clearance[cell]))
-            room.push_back(clearance[cell]);
-    double width = spec_.length;
-    if (!room.empty())
-    {
-        std::nth_element(room.begin(), room.begin() + room.size() / 2, room.end());
-        width = std::clamp(2.0 * room[room.size() / 2], 0.2 * spec_.length, spec_.length);
-    }
-    constexpr int window = 4, passes = 3;
-    ways_.push_back({windowed<D>(resampled<D>(path, grid.spacing()), window, passes), width});
-}
-
 template <int D>
 TightAttempt<D> TightSearch<D>::certified(const PointPath<D> &nodes)
 {
@@ -246,6 +183,7 @@ TightAttempt<D> TightSearch<D>::tryBeams(const Way &way, const std::function<boo
     options.fan.linkLength = spec_.length;
     options.fan.radius = spec_.radius;
     options.fan.spacing = 0.05 * way.width;
+    options.window = 0.25 * way.width;
     options.fan.couples = settings_.couples;
     const auto distance = [this](const Point &point)
     {
@@ -266,6 +204,7 @@ TightAttempt<D> TightSearch<D>::relaxed(const Way &way, const PointPath<D> &node
 {
     RelaxationOptions options = relaxationOptions(fineness * way.width);
     options.rounds = settings_.rounds;
+    options.goalRoom = goalRoom_;
     ChainSpec spec = spec_;
     spec.length = length;
     spec.links = static_cast<int>(std::ceil(spec_.links * spec_.length / length));

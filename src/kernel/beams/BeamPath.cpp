@@ -18,8 +18,8 @@ void check(const BeamOptions &options)
         throw std::invalid_argument("beams: lengths must be positive");
     if (fan.couples < 1 || fan.couples > 4)
         throw std::invalid_argument("beams: there are 1 to 4 couples");
-    if (options.window < 0 || options.passes < 0 || !(options.switchAt >= 0.0) || !(options.switchAt <= 1.0) ||
-        !(options.early > 0.0) || !(options.ramp >= 0.0))
+    if (!(options.window >= 0.0) || !std::isfinite(options.window) || options.passes < 0 ||
+        !(options.switchAt >= 0.0) || !(options.switchAt <= 1.0) || !(options.early > 0.0) || !(options.ramp >= 0.0))
         throw std::invalid_argument("beams: window, passes, switchAt, early or ramp is out of range");
 }
 
@@ -143,7 +143,8 @@ BeamPath<D> beamPath(const PointPath<D> &middle, const PointDistance<D> &distanc
         result.failure = BeamFailure::MiddleTooShort;
         return result;
     }
-    const PointPath<D> smooth = windowed<D>(resampled<D>(middle, options.fan.spacing), options.window, options.passes);
+    const PointPath<D> smooth =
+        windowedOver<D>(resampled<D>(middle, options.fan.spacing), options.window, options.passes);
     const BeamFan<D> fan = castBeams<D>(smooth, distance, options.fan);
     result.beams = 2 * static_cast<int>(fan.couples.size()) * fan.count();
     if (*std::min_element(fan.clearance.begin(), fan.clearance.end()) < 0.0)

@@ -24,7 +24,9 @@ struct BeamOptions
     BeamFanOptions fan;
     /// By default standardRegions(), a passage being as wide as the typical clearance and the link on both sides.
     std::optional<CriticalRegionOptions> regions;
-    int window = 5;  ///< half-width of the paper's windowing of the middle path, in stations; 0 leaves it as it is
+    /// >= 0, half-width of the paper's windowing of the middle path, a length (about a quarter of a passage's width); 0
+    /// leaves it as it is.
+    double window = 0.0;
     int passes = 3;
     double switchAt = 0.5;  ///< in [0, 1]: where between two regions the path changes sides (the paper: in the middle)
     /// > 0, in link lengths: how far behind a region the path changes sides if the next one is more than a link away

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "kernel/chain/NodePushes.h"
+#include "kernel/chain/LinkPushes.h"
 
 namespace narrows
 {
@@ -12,6 +12,8 @@ namespace
 constexpr double overshoot = 1.2;
 constexpr int roundsPerResampling = 10;
 constexpr int roundsPerCertificate = 5;
+/// A path so many times as long as the chain is coils up and does not come back.
+constexpr double coiled = 1.5;
 /// Below this cosine between chord and path at its rear end g is about to jump.
 constexpr double steep = 0.2;
 
@@ -30,10 +32,14 @@ public:
     RelaxedPath<D> run(const PointPath<D> &nodes, const std::function<bool()> &stop)
     {
         result_.nodes = resampled<D>(nodes, options_.spacing);
+        end_ = {nodes.back(), options_.goalRoom};
+        const double longest = coiled * spec_.links * spec_.length;
         for (; result_.rounds < options_.rounds && !(stop && stop()); ++result_.rounds)
         {
             if (result_.rounds % roundsPerResampling == 0)
                 restart();
+            if (lengthOf<D>(result_.nodes) > longest)
+                break;
             if (pushAll() && result_.rounds >= nextCertificate_ && certified())
                 return result_;
             move();
@@ -67,6 +73,7 @@ private:
         result_.certificate = certifyChain<D>(path, obstacles_, spec_, options_.certificate);
         result_.chords += result_.certificate.chords;
         nextCertificate_ = result_.rounds + roundsPerCertificate;
+        linksMeet_ = linksMeet_ || result_.certificate.failure == ChainFailure::SelfCollision;
         return bool(result_.certificate);
     }
 
@@ -74,7 +81,7 @@ private:
     bool pushAll()
     {
         const LeaderPath<D> path(result_.nodes, entrance_);
-        pushes_.reset(path);
+        pushes_.reset(path, options_.goalRoom > 0.0);
         bool good = true;
         for (std::size_t i = 1; i < path.arcs().size(); ++i)
             for (int half = 0; half < 2; ++half)
@@ -82,6 +89,16 @@ private:
                 const double s = half == 0 ? 0.5 * (path.arcs()[i - 1] + path.arcs()[i]) : path.arcs()[i];
                 good = pushChord(path, s, seen_[2 * i + half]) && good;
             }
+        // All pairs are looked at only once the certificate has found two that meet.
+        if (linksMeet_)
+        {
+            const double thickness = 2.0 * spec_.radius;
+            good = pushLinksApart<D>(path,
+                                     {spec_.length, spec_.links * spec_.length, thickness, thickness + options_.margin,
+                                      20.0 * options_.margin},
+                                     pushes_) &&
+                   good;
+        }
         return good;
     }
 
@@ -155,7 +172,7 @@ private:
     void move()
     {
         const double share = static_cast<double>(result_.rounds) / options_.rounds;
-        pushes_.apply(overshoot, options_.maxMove, options_.smoothing * (1.0 - 0.9 * share), result_.nodes);
+        pushes_.apply(overshoot, options_.maxMove, options_.smoothing * (1.0 - 0.9 * share), end_, result_.nodes);
     }
 
     Point entrance_;
@@ -164,7 +181,9 @@ private:
     const RelaxationOptions &options_;
     RelaxedPath<D> result_;
     int nextCertificate_ = 0;
+    bool linksMeet_ = false;
     NodePushes<D> pushes_;
+    typename NodePushes<D>::End end_{};
     std::vector<Seen> seen_;
     std::vector<ChordContact<D>> contacts_;
 };
@@ -185,7 +204,7 @@ RelaxedPath<D> relaxChords(const PointPath<D> &nodes, const Eigen::Matrix<double
                            const std::function<bool()> &stop)
 {
     if (!(options.spacing > 0.0) || !(options.margin > 0.0) || !(options.maxMove > 0.0) || options.rounds < 1 ||
-        !(options.smoothing >= 0.0) || options.smoothing > 1.0)
+        !(options.goalRoom >= 0.0) || !(options.smoothing >= 0.0) || options.smoothing > 1.0)
         throw std::invalid_argument("relaxChords: an option is out of range");
     return Relaxation<D>(entrance, obstacles, spec, options).run(nodes, stop);
 }

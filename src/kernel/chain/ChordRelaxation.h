@@ -13,8 +13,9 @@ struct RelaxationOptions
     double margin;   ///< > 0, more than the radius that links are pushed away from obstacles; below the spacing
     double maxMove;  ///< > 0, of a node in one round
     double smoothing =
-        0.15;          ///< in [0, 1], share of the way to the middle of its neighbours that a node takes per round
-    int rounds = 400;  ///< >= 1
+        0.15;               ///< in [0, 1], share of the way to the middle of its neighbours that a node takes per round
+    int rounds = 400;       ///< >= 1
+    double goalRoom = 0.0;  ///< >= 0, how far from the goal the path may end
     CertificateOptions certificate = {};
 };
 
@@ -36,11 +37,11 @@ struct RelaxedPath
 /// and it is not complete).
 ///
 /// Every round looks at the chords P(g(s))P(s) all along the path: those that come closer to an obstacle than radius
-/// and margin push the nodes at both of their ends, and so do joints bent too far. Where g is about to jump the path is
-/// straightened. Links too near each other do not push: the certificate refuses them. Each node goes the weighted mean
-/// of what is asked of it and a little towards its neighbours. It is a local search: what comes of it depends on where
-/// it begins.
-/// \param nodes from the entrance to the goal, both stay where they are
+/// and margin push the nodes at both of their ends, and so do joints bent too far and, once the certificate has found
+/// links that meet, links too near each other. Where g is about to jump the path is straightened. Each node goes the
+/// weighted mean of what is asked of it and a little towards its neighbours. It is a local search: what comes of it
+/// depends on where it begins. A path much longer than the chain is given up.
+/// \param nodes from the entrance, which stays where it is, to the goal
 /// \param stop asked once per round; may be empty
 /// \return the first path that certifyChain() accepts; else the last one, and why not
 /// \throws std::invalid_argument if the options are out of range

@@ -41,9 +41,17 @@ LeaderPath<D>::LeaderPath(const PointPath<D> &nodes, const Point &entrance) : en
 template <int D>
 int LeaderPath<D>::segmentBefore(double s) const
 {
-    const auto after = std::lower_bound(arcs_.begin(), arcs_.end(), s);
-    const int node = static_cast<int>(after - arcs_.begin());
-    return std::clamp(node - 1, 0, static_cast<int>(nodes_.size()) - 2);
+    // Nodes mostly are at about equal distances: look around where s would be then.
+    const int last = static_cast<int>(nodes_.size()) - 1;
+    const int guess = std::clamp(static_cast<int>(s / arcs_.back() * last), 0, last);
+    constexpr int around = 8;
+    auto begin = arcs_.begin(), end = arcs_.end();
+    if (const int from = std::max(guess - around, 0); arcs_[from] < s)
+        begin += from;
+    if (const int to = std::min(guess + around, last); arcs_[to] >= s)
+        end = arcs_.begin() + to;
+    const int node = static_cast<int>(std::lower_bound(begin, end, s) - arcs_.begin());
+    return std::clamp(node - 1, 0, last - 1);
 }
 
 template <int D>

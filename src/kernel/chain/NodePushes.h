@@ -6,7 +6,7 @@
 namespace narrows
 {
 /// What is asked of the nodes of a path in one round of ChordRelaxation: weighted displacements, of which each node
-/// goes the mean. The first and the last node stay, and so does the entrance line.
+/// goes the mean. The first node stays, and so does the entrance line; the last one stays within a ball.
 template <int D>
 class NodePushes
 {
@@ -14,9 +14,11 @@ public:
     using Point = Eigen::Matrix<double, D, 1>;
 
     /// Begins a round. The path is referred to until the next one.
-    void reset(const LeaderPath<D> &path)
+    /// \param endMoves whether its last node may
+    void reset(const LeaderPath<D> &path, bool endMoves)
     {
         path_ = &path;
+        endMoves_ = endMoves;
         sums_.assign(path.nodes().size(), Point::Zero());
         weights_.assign(path.nodes().size(), 0.0);
         folds_.assign(path.nodes().size(), 0);
@@ -37,7 +39,7 @@ public:
     /// Asks for `way` at a fraction (0: rear, 1: front) of the chord from P(place) to P(s).
     void pushChord(double s, double place, double fraction, const Point &way, double weight)
     {
-        const double front = s < path_->length() ? fraction : 0.0;
+        const double front = s < path_->length() || endMoves_ ? fraction : 0.0;
         const double rear = place > 0.0 ? 1.0 - fraction : 0.0;
         const double square = front * front + rear * rear;
         if (square < 1e-4)  // of the ends that can move none is near
@@ -55,24 +57,36 @@ public:
         folds_[i] = folds_[i + 1] = 1;
     }
 
+    /// Where the last node may be.
+    struct End
+    {
+        Point middle;
+        double room;  ///< >= 0
+    };
+
     /// \param factor of the mean displacement, which is then cut to `longest`
     /// \param smoothing share of the way to the middle of its neighbours
-    void apply(double factor, double longest, double smoothing, PointPath<D> &nodes) const
+    void apply(double factor, double longest, double smoothing, const End &end, PointPath<D> &nodes) const
     {
         PointPath<D> moved = nodes;
         for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
         {
-            Point way = weights_[i] > 0.0 ? Point(factor / weights_[i] * sums_[i]) : Point(Point::Zero());
-            const double length = way.norm();
-            if (length > longest)
-                way *= longest / length;
             const double share = folds_[i] ? 0.5 : smoothing;
-            moved[i] += way + share * (0.5 * (nodes[i - 1] + nodes[i + 1]) - nodes[i]);
+            moved[i] += asked(i, factor, longest) + share * (0.5 * (nodes[i - 1] + nodes[i + 1]) - nodes[i]);
         }
+        const Point away = nodes.back() + asked(nodes.size() - 1, factor, longest) - end.middle;
+        moved.back() = end.middle + (away.norm() > end.room ? Point(end.room * away.normalized()) : away);
         nodes = std::move(moved);
     }
 
 private:
+    Point asked(std::size_t node, double factor, double longest) const
+    {
+        const Point way = weights_[node] > 0.0 ? Point(factor / weights_[node] * sums_[node]) : Point(Point::Zero());
+        const double length = way.norm();
+        return length > longest ? Point(longest / length * way) : way;
+    }
+
     void add(int node, const Point &way, double weight)
     {
         sums_[node] += weight * way;
@@ -80,6 +94,7 @@ private:
     }
 
     const LeaderPath<D> *path_ = nullptr;
+    bool endMoves_ = false;
     PointPath<D> sums_;
     std::vector<double> weights_;
     std::vector<char> folds_;

@@ -119,34 +119,103 @@ double costOf(const VoxelGrid<D> &grid, const std::vector<float> &clearance, con
 }  // namespace
 
 template <int D>
+class CorridorClasses<D>::State
+{
+public:
+    State(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const Point &start, const Point &goal,
+          const CorridorOptions &options, double factor)
+      : grid_(grid),
+        clearance_(clearance),
+        start_(start),
+        goal_(goal),
+        options_(options),
+        factor_(factor),
+        surcharge_(grid.cells(), 1.0F)
+    {
+    }
+
+    Corridor<D> first()
+    {
+        last_ = findCorridor(grid_, clearance_, start_, goal_, options_);
+        return last_;
+    }
+
+    /// What the next search finds, if its kind is new.
+    std::optional<Corridor<D>> another()
+    {
+        if (last_.failure != CorridorFailure::None)
+            return std::nullopt;
+        if (!kinds_)
+            kinds_.emplace(grid_).isNew(last_);
+        charge(grid_, clearance_, last_, factor_, surcharge_);
+        last_ = findCorridor(grid_, clearance_, start_, goal_, options_, surcharge_);
+        if (!kinds_->isNew(last_))
+            return std::nullopt;
+        Corridor<D> found = last_;
+        found.cost = costOf(grid_, clearance_, options_, found.cells);
+        return found;
+    }
+
+private:
+    const VoxelGrid<D> &grid_;
+    const std::vector<float> &clearance_;
+    Point start_, goal_;
+    CorridorOptions options_;
+    double factor_;
+    std::vector<float> surcharge_;
+    Corridor<D> last_;
+    std::optional<Kinds<D>> kinds_;  ///< prepared only if there is a second search
+};
+
+template <int D>
+CorridorClasses<D>::CorridorClasses(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const Point &start,
+                                    const Point &goal, const CorridorOptions &options, double surcharge)
+  : state_(std::make_unique<State>(grid, clearance, start, goal, options, surcharge))
+{
+    if (!(surcharge > 1.0))
+        throw std::invalid_argument("CorridorClasses: a surcharge > 1 is needed");
+}
+
+template <int D>
+CorridorClasses<D>::~CorridorClasses() = default;
+
+template <int D>
+std::optional<Corridor<D>> CorridorClasses<D>::next(int searches)
+{
+    if (searches_ == 0)
+    {
+        ++searches_;
+        return state_->first();
+    }
+    for (int search = 0; search < searches; ++search)
+    {
+        ++searches_;
+        if (std::optional<Corridor<D>> found = state_->another())
+            return found;
+    }
+    return std::nullopt;
+}
+
+template <int D>
 std::vector<Corridor<D>> findCorridors(const VoxelGrid<D> &grid, const std::vector<float> &clearance,
                                        const Eigen::Matrix<double, D, 1> &start,
                                        const Eigen::Matrix<double, D, 1> &goal, const CorridorClassOptions &options)
 {
     if (options.count < 1 || options.searches < options.count || !(options.surcharge > 1.0))
         throw std::invalid_argument("findCorridors: count >= 1, searches >= count and surcharge > 1 are needed");
-    std::vector<Corridor<D>> found{findCorridor(grid, clearance, start, goal, options.corridor)};
-    if (found[0].failure != CorridorFailure::None || options.count == 1)
-        return found;
-
-    Kinds<D> kinds(grid);
-    kinds.isNew(found[0]);
-    std::vector<float> surcharge(grid.cells(), 1.0F);
-    Corridor<D> last = found[0];
-    for (int search = 1; search < options.searches && static_cast<int>(found.size()) < options.count; ++search)
-    {
-        charge(grid, clearance, last, options.surcharge, surcharge);
-        last = findCorridor(grid, clearance, start, goal, options.corridor, surcharge);
-        if (!kinds.isNew(last))
-            continue;
-        found.push_back(last);
-        found.back().cost = costOf(grid, clearance, options.corridor, last.cells);
-    }
+    CorridorClasses<D> classes(grid, clearance, start, goal, options.corridor, options.surcharge);
+    std::vector<Corridor<D>> found{*classes.next(1)};
+    const bool failed = found[0].failure != CorridorFailure::None;
+    while (!failed && static_cast<int>(found.size()) < options.count && classes.searches() < options.searches)
+        if (const std::optional<Corridor<D>> next = classes.next(options.searches - classes.searches()))
+            found.push_back(*next);
     std::stable_sort(found.begin(), found.end(),
                      [](const Corridor<D> &a, const Corridor<D> &b) { return a.cost < b.cost; });
     return found;
 }
 
+template class CorridorClasses<2>;
+template class CorridorClasses<3>;
 template std::vector<Corridor<2>> findCorridors(const VoxelGrid<2> &, const std::vector<float> &,
                                                 const Eigen::Vector2d &, const Eigen::Vector2d &,
                                                 const CorridorClassOptions &);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include "kernel/fields/CorridorPath.h"
 
 namespace narrows
@@ -13,8 +16,8 @@ struct CorridorClassOptions
     double surcharge = 4.0;  ///< > 1, what length costs more after each search, where it went
 };
 
-/// Several ways to the goal that go different ways around things, the cheapest first. A planner may find that a chain
-/// fits through another one than the cheapest.
+/// Ways to the goal that go different ways around things, one after the other. A planner may find that a chain fits
+/// through another one than the cheapest.
 ///
 /// Where a path was found, passing gets dearer (every cell that is no further from it than three times its clearance),
 /// and the search is repeated; a path of a kind not seen yet is kept, with its true cost. That is no complete
@@ -23,6 +26,32 @@ struct CorridorClassOptions
 /// - in space by whether two points can go along the two paths, each only forwards, and see each other all the time
 ///   through free cells (looked at every half a cell, points two cells apart). Homotopy says little there: around
 ///   separate solids all paths are of one class, because each can be lifted over them.
+template <int D>
+class CorridorClasses
+{
+public:
+    using Point = Eigen::Matrix<double, D, 1>;
+
+    /// Grid and clearance are referred to.
+    /// \throws std::invalid_argument as findCorridor() does, and for a surcharge out of range
+    CorridorClasses(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const Point &start,
+                    const Point &goal, const CorridorOptions &options, double surcharge);
+    ~CorridorClasses();
+
+    /// The cheapest path at first (which may have failed: then there is nothing else), later a path of a new kind, or
+    /// nothing if `searches` (>= 1) have not shown any.
+    std::optional<Corridor<D>> next(int searches);
+    /// How many searches there have been.
+    int searches() const { return searches_; }
+
+private:
+    class State;
+
+    int searches_ = 0;
+    std::unique_ptr<State> state_;
+};
+
+/// The first kinds that CorridorClasses finds, the cheapest first.
 ///
 /// \return at least one; only the first may have failed
 /// \throws std::invalid_argument as findCorridor() does, and for options out of range
@@ -32,6 +61,8 @@ std::vector<Corridor<D>> findCorridors(const VoxelGrid<D> &grid, const std::vect
                                        const Eigen::Matrix<double, D, 1> &goal,
                                        const CorridorClassOptions &options = {});
 
+extern template class CorridorClasses<2>;
+extern template class CorridorClasses<3>;
 extern template std::vector<Corridor<2>> findCorridors(const VoxelGrid<2> &, const std::vector<float> &,
                                                        const Eigen::Vector2d &, const Eigen::Vector2d &,
                                                        const CorridorClassOptions &);

@@ -16,20 +16,24 @@ class CorridorSearch
 public:
     CorridorSearch(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const CorridorOptions &options,
                    const std::vector<float> &surcharge)
-      : grid_(grid), steps_(stepsOf(grid, options.steps)), costs_(grid.cells(), 0.0F)
+      : grid_(grid),
+        steps_(stepsOf(grid, options.steps)),
+        cost_(grid, clearance, options),
+        surcharge_(surcharge),
+        costs_(grid.cells(), 0.0F)
     {
-        const CorridorCost<D> cost(grid, clearance, options);
+        float scarcest = std::numeric_limits<float>::infinity(), most = 1.0F;
         for (int cell = 0; cell < grid.cells(); ++cell)
-        {
-            if (grid.occupied(cell))
-                continue;
-            const double extra = surcharge.empty() ? 1.0 : static_cast<double>(surcharge[cell]);
-            costs_[cell] = static_cast<float>(std::min(extra * cost(cell), dearestCorridor));
-            dearest_ = std::max(dearest_, static_cast<double>(costs_[cell]));
-        }
+            if (!grid.occupied(cell))
+                scarcest = std::min(scarcest, clearance[cell]);
+        for (const float factor : surcharge)
+            most = std::max(most, factor);
+        if (std::isfinite(scarcest))
+            dearest_ = std::min(most * cost_.of(scarcest), dearestCorridor);
     }
 
-    /// Cells from start to goal; none if there is no way.
+    /// Cells from start to goal; none if there is no way. Searches from the goal: chains come from open space, all of
+    /// which would be searched before the first passage, where length costs more.
     std::vector<int> run(int start, int goal)
     {
         constexpr double never = std::numeric_limits<double>::infinity();
@@ -38,16 +42,16 @@ public:
         // Costs of steps are rounded: a little less than the least possible one is safe.
         BucketQueue queue(0.999 * grid_.spacing(),
                           1.001 * std::sqrt(static_cast<double>(D)) * grid_.spacing() * dearest_);
-        reached_[start] = 0.0;
-        queue.push(0.0, start);
+        reached_[goal] = 0.0;
+        queue.push(0.0, goal);
         while (!queue.empty())
         {
             const auto [cost, cell] = queue.pop();
             if (cost > reached_[cell])
                 continue;
-            // All of this bucket is final, so the goal is.
-            if (cell == goal)
-                return traceBack(goal);
+            // All of this bucket is final, so the start is.
+            if (cell == start)
+                return traceBack(start);
             expand(cell, cost, queue);
         }
         return {};
@@ -56,10 +60,22 @@ public:
     double cost(int cell) const { return reached_[cell]; }
 
 private:
+    /// Of a unit of length; 0 as long as nobody has asked.
+    double costOf(int cell)
+    {
+        if (costs_[cell] == 0.0F)
+        {
+            const double extra = surcharge_.empty() ? 1.0 : static_cast<double>(surcharge_[cell]);
+            costs_[cell] = static_cast<float>(std::min(extra * cost_(cell), dearestCorridor));
+        }
+        return costs_[cell];
+    }
+
     void expand(int cell, double cost, BucketQueue &queue)
     {
         const auto index = grid_.index(cell);
         const bool inner = (index.array() > 0).all() && (index.array() + 1 < grid_.counts().array()).all();
+        const double here = costOf(cell);
         for (const CellStep<D> &step : steps_)
         {
             if (!inner && !grid_.contains(index + step.offset))
@@ -67,7 +83,7 @@ private:
             const int next = cell + step.jump;
             if (grid_.occupied(next))
                 continue;
-            const double there = cost + 0.5 * step.length * (double{costs_[cell]} + double{costs_[next]});
+            const double there = cost + 0.5 * step.length * (here + costOf(next));
             if (!(there < reached_[next]))
                 continue;
             if (std::any_of(step.between.begin(), step.between.end(),
@@ -84,13 +100,14 @@ private:
         std::vector<int> cells;
         for (; cell >= 0; cell = from_[cell])
             cells.push_back(cell);
-        std::reverse(cells.begin(), cells.end());
         return cells;
     }
 
     const VoxelGrid<D> &grid_;
     std::vector<CellStep<D>> steps_;
-    std::vector<float> costs_;  ///< of a unit of length
+    CorridorCost<D> cost_;
+    const std::vector<float> &surcharge_;
+    std::vector<float> costs_;
     double dearest_ = 1.0;
     std::vector<double> reached_;
     std::vector<int> from_;
@@ -154,7 +171,7 @@ Corridor<D> findCorridor(const VoxelGrid<D> &grid, const std::vector<float> &cle
     corridor.cells = search.run(first, last);
     if (corridor.cells.empty())
         return failed(CorridorFailure::NotConnected);
-    corridor.cost = search.cost(last);
+    corridor.cost = search.cost(first);
     corridor.clearance = clearance[first];
     for (int cell : corridor.cells)
         corridor.clearance = std::min(corridor.clearance, static_cast<double>(clearance[cell]));

@@ -51,9 +51,11 @@ public:
     }
 
     /// In [1, dearestCorridor].
-    double operator()(int cell) const
+    double operator()(int cell) const { return of(clearance_[cell]); }
+    /// At a clearance, which it falls with.
+    double of(double clearance) const
     {
-        const double scarce = wide_ / std::min<double>(clearance_[cell], wide_);
+        const double scarce = wide_ / std::min(clearance, wide_);
         return std::min(std::pow(scarce, preference_), dearestCorridor);
     }
 

@@ -55,8 +55,8 @@ PointPath<D> resampled(const PointPath<D> &path, double spacing)
 }
 
 /// The paper's windowing (Minnetoglu and Conkur 2022, Section 2, without numbers): every point becomes the mean of
-/// those up to `halfWidth` places away. The window shrinks towards the ends, which stay where they are. \param
-/// halfWidth >= 0
+/// those up to `halfWidth` places away. The window shrinks towards the ends, which stay where they are.
+/// \param halfWidth >= 0
 template <int D>
 PointPath<D> windowed(const PointPath<D> &path, int halfWidth, int passes)
 {
@@ -75,5 +75,15 @@ PointPath<D> windowed(const PointPath<D> &path, int halfWidth, int passes)
         }
     }
     return after;
+}
+
+/// The same with a window that is a length, so that what comes of it does not depend on how dense the points are.
+/// \param path points at equal shares of its length, at least two
+/// \param halfLength >= 0
+template <int D>
+PointPath<D> windowedOver(const PointPath<D> &path, double halfLength, int passes)
+{
+    const double spacing = lengthOf<D>(path) / static_cast<double>(path.size() - 1);
+    return spacing > 0.0 ? windowed<D>(path, static_cast<int>(std::lround(halfLength / spacing)), passes) : path;
 }
 }  // namespace narrows
