@@ -89,6 +89,7 @@ checker = analytic, fcl
 motion = continuous, 0.01
 space = relative
 warm_up = 0
+canary = 50
 jobs = 2
 [planner]
 rrtconnect =
@@ -113,6 +114,7 @@ biest =
     EXPECT_EQ(experiment.limits->jerk, 20.0);
     EXPECT_EQ(expand(experiment).front().limits->jerk, 20.0);
     EXPECT_EQ(experiment.warmUp, 0.0);
+    EXPECT_EQ(experiment.canary, 50);
     EXPECT_EQ(experiment.jobs, 2);
     EXPECT_EQ(
         experiment.databasePath(),
@@ -268,6 +270,19 @@ TEST_F(ExperimentFile, SweepsMakeTheCrossProductOfEveryFamily)
                                                 {"biest tube_half_width1e-2_analytic", 8}}));
 }
 
+TEST_F(ExperimentFile, AScenarioWithAxesOfItsOwnTakesNoOthers)
+{
+    const Experiment experiment = read("[problem]\nname = test\nscenario = " + scenarioFolder + "slab.yaml, " +
+                                       scenarioFolder + "mixed.yaml, " + scenarioFolder +
+                                       "gap_small.yaml\n[sweep]\ngenerate.half_width = 0.1, 1e-2\n"
+                                       "mixed.generate.links = 3, 4\nmixed.generate.seed = 7\n[planner]\nbiest =\n");
+    std::vector<std::string> names;
+    for (const auto &scenario : experiment.scenarios)
+        names.push_back(scenario->name);
+    EXPECT_THAT(names, testing::ElementsAre("slab_half_width0.1", "slab_half_width1e-2", "mixed_links3_seed7",
+                                            "mixed_links4_seed7", "gap-small"));
+}
+
 TEST_F(ExperimentFile, ASweepIsPartOfTheDigest)
 {
     const std::string head = "[problem]\nname = test\nscenario = " + scenarioFolder + "slab.yaml\n[sweep]\n";
@@ -305,7 +320,16 @@ TEST_F(ExperimentFile, BadSweepsAreRefusedWithTheirLines)
     EXPECT_THAT(slabFaults("generate.seed = 1..400\ngenerate.links = 3..300"),
                 testing::Contains("6: sweep.generate.links: makes more than 100000 instances"));
     EXPECT_THAT(faults("gap_small.yaml", "generate.seed = 1"),
-                ElementsAre("5: sweep.generate.seed: no scenario of this experiment has `generate`"));
+                ElementsAre("5: sweep.generate.seed: no scenario of this experiment has `generate` and no axes of its "
+                            "own"));
+    EXPECT_THAT(slabFaults("slub.generate.seed = 1"),
+                ElementsAre("5: sweep.slub.generate.seed: no scenario with `generate` is called 'slub'"));
+    EXPECT_THAT(slabFaults("slab.generate.gaps = 2"),
+                ElementsAre("5: sweep.slab.generate.gaps: there is no parameter of the family slab 'gaps'; there are "
+                            "links, half_width, depth, symmetric, shape, seed"));
+    EXPECT_THAT(slabFaults(".generate.seed = 1\nslab.generate. = 1"),
+                ElementsAre(testing::StartsWith("5: sweep..generate.seed: unknown key; this section has generate.<"),
+                            testing::StartsWith("6: sweep.slab.generate.: unknown key")));
 }
 
 TEST(BadExperiments, FilesWithOneFaultEach)
@@ -319,17 +343,6 @@ TEST(BadExperiments, FilesWithOneFaultEach)
     EXPECT_FALSE(faultsOf(badFolder + "empty.cfg").empty());
     EXPECT_FALSE(faultsOf(badFolder + "no such file.cfg").empty());
     EXPECT_FALSE(faultsOf(badFolder).empty());
-}
-
-TEST(ShippedExperiments, AreRead)
-{
-    for (const auto &entry : std::filesystem::directory_iterator(NARROWS_SOURCE_DIR "/experiments"))
-    {
-        if (entry.path().extension() == ".cfg")
-        {
-            EXPECT_THAT(faultsOf(entry.path().string()), testing::IsEmpty()) << entry.path();
-        }
-    }
 }
 }  // namespace
 }  // namespace narrows

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaultPlanners.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +14,7 @@
 #include <ompl/geometric/PathGeometric.h>
 #include <unistd.h>
 
+#include "benchmark/Cores.h"
 #include "planners/PlannerFactory.h"
 #include "spaces/PlanarArmStateSpace.h"
 
@@ -118,6 +120,13 @@ ob::PlannerStatus ignoreLimit(FaultPlanner &)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
+ob::PlannerStatus spin(FaultPlanner &)
+{
+    volatile std::uint64_t turns = 0;
+    while (true)
+        turns = turns + 1;
+}
+
 ob::PlannerStatus goThroughObstacle(FaultPlanner &planner)
 {
     return planner.claim(planner.straightPath());
@@ -149,15 +158,56 @@ ob::PlannerStatus exitSilently(FaultPlanner &)
     std::_Exit(0);
 }
 
+constexpr unsigned int lifetime = 600;  // seconds; an end of what is left behind, should the runner fail to make one
+
+/// Children and threads that outlive solve().
 ob::PlannerStatus spawnChildren(FaultPlanner &)
 {
-    constexpr unsigned int lifetime = 600;  // seconds; an end, should the runner fail to make one
-    for (int i = 0; i < 5; ++i)
+    constexpr int children = 50;
+    constexpr int threads = 2;
+    for (int i = 0; i < children; ++i)
         if (fork() == 0)
         {
             sleep(lifetime);
             _exit(0);
         }
+    for (int i = 0; i < threads; ++i)
+        std::thread([] { std::this_thread::sleep_for(std::chrono::seconds(lifetime)); }).detach();
+    return ob::PlannerStatus::ABORT;
+}
+
+/// A daemon: in a session of its own, and the child of nobody who is still there.
+ob::PlannerStatus detachChild(FaultPlanner &)
+{
+    if (fork() == 0)
+    {
+        setsid();
+        if (fork() == 0)
+            sleep(lifetime);
+        _exit(0);
+    }
+    return ob::PlannerStatus::ABORT;
+}
+
+ob::PlannerStatus tellCpus(FaultPlanner &)
+{
+    CpuList cpus;
+    for (const CpuList &core : usablePhysicalCores())
+        cpus.insert(cpus.end(), core.begin(), core.end());
+    std::sort(cpus.begin(), cpus.end());
+    std::cout << toText(cpus) << '\n';
+    return ob::PlannerStatus::ABORT;
+}
+
+/// Writes over the heap's own notes, before and after a piece of memory; glibc notices when that is given back.
+ob::PlannerStatus corruptHeap(FaultPlanner &)
+{
+    constexpr int size = 64;
+    constexpr int header = 8;
+    auto *volatile piece = static_cast<volatile unsigned char *>(std::malloc(size));
+    for (int i = -header; i < 2 * size; ++i)
+        piece[i] = 0xff;
+    std::free(const_cast<unsigned char *>(piece));
     return ob::PlannerStatus::ABORT;
 }
 
@@ -207,9 +257,13 @@ std::vector<Fault> registerAll()
     add(faults, {"fault_flood", Outcome::NoSolution, "abort"}, floodOutput);
     add(faults, {"fault_exit", Outcome::Crash, "exited without a result (code 0)"}, exitSilently);
     add(faults, {"fault_children", Outcome::NoSolution, "abort"}, spawnChildren);
+    add(faults, {"fault_tells_cpus", Outcome::NoSolution, "abort"}, tellCpus);
+    add(faults, {"fault_daemon", Outcome::NoSolution, "abort"}, detachChild);
+    add(faults, {"fault_spin", Outcome::Timeout, "killed: ignored the limit"}, spin);
     if (!underSanitizer)
     {
         add(faults, {"fault_memory", Outcome::Memory, "std::bad_alloc"}, allocateWithoutEnd);
+        add(faults, {"fault_heap", Outcome::Crash, "SIG"}, corruptHeap);
         add(faults, {"fault_memory_thread", Outcome::Memory, "SIGABRT"}, allocateInThread);
     }
     return faults;

@@ -12,7 +12,9 @@
 
 #include "FaultPlanners.h"
 #include "RunSpecs.h"
+#include "benchmark/Cores.h"
 #include "benchmark/RunOnce.h"
+#include "benchmark/SolveLimit.h"
 
 namespace narrows
 {
@@ -160,13 +162,50 @@ TEST(IsolatedRunner, AWarmUpChangesNoResult)
 
 TEST(IsolatedRunner, AKilledRunKeepsTheTimeItTook)
 {
-    for (const Fault &fault : faultPlanners())
-        if (fault.planner == "fault_ignores_limit")
-        {
-            const Record record = runEach({faultyRun(fault)}, 1).at(0);
-            EXPECT_GE(record.time.value(), 1.0);
-            EXPECT_FALSE(record.cpuTime);
-        }
+    faultPlanners();
+    RunSpec spinning = smallRun("fault_spin");
+    spinning.timeLimit = 0.2;
+    const Record busy = runEach({spinning}, 1).at(0);
+    // On a machine that is too busy it is the wall time that ends it.
+    EXPECT_TRUE(busy.cpuTime.value() >= spinning.timeLimit + spinning.grace ||
+                busy.time.value() >= wallLimit(spinning.timeLimit) + spinning.grace)
+        << *busy.cpuTime << " s of CPU, " << *busy.time << " s";
+
+    RunSpec sleeping = smallRun("fault_ignores_limit");
+    sleeping.timeLimit = 0.2;
+    const Record idle = runEach({sleeping}, 1).at(0);
+    EXPECT_GE(idle.time.value(), wallLimit(sleeping.timeLimit) + sleeping.grace);
+    EXPECT_LT(idle.cpuTime.value(), sleeping.timeLimit);
+}
+
+TEST(IsolatedRunner, SaysWhichCoresARunHadAndWhetherItSharedThem)
+{
+    const std::size_t cores = usablePhysicalCores().size();
+    const auto run = [](std::size_t jobs, bool pin)
+    {
+        Record result;
+        runAll(
+            {goodRun("rrtconnect", 1)}, static_cast<int>(jobs),
+            [&result](std::size_t, const Record &record) { result = record; }, {}, pin);
+        return result;
+    };
+    EXPECT_FALSE(run(1, true).cpus);  // alone, it may use them all
+    EXPECT_FALSE(run(1, true).sharesCore.value());
+    EXPECT_TRUE(run(cores + 1, false).sharesCore.value());
+    EXPECT_TRUE(run(cores + 1, true).sharesCore.value());
+    EXPECT_FALSE(run(cores + 1, false).cpus);
+    EXPECT_EQ(run(cores + 1, true).cpus.value(), toText(usablePhysicalCores().front()));
+    EXPECT_FALSE(run(cores, true).sharesCore.value());
+}
+
+TEST(IsolatedRunner, KeepsARunToItsCores)
+{
+    const std::vector<CpuList> cores = usablePhysicalCores();
+    faultPlanners();
+    std::vector<RunSpec> specs(cores.size() + 1, smallRun("fault_tells_cpus"));
+    runAll(
+        specs, static_cast<int>(specs.size()),
+        [](std::size_t, const Record &record) { EXPECT_EQ(record.output, *record.cpus + "\n"); }, {}, true);
 }
 
 TEST(IsolatedRunner, StartsRunsInTheGivenOrder)

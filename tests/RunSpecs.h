@@ -28,7 +28,7 @@ inline RunSpec smallRun(const std::string &planner, std::uint32_t seed = 1)
 inline nlohmann::json repeatable(const RunSpec &spec, const Record &record)
 {
     nlohmann::json json = nlohmann::json::parse(toJson(spec, record));
-    for (const char *key : {"time_s", "cpu_s", "simplification_time_s", "peak_memory_kb"})
+    for (const char *key : {"time_s", "cpu_s", "simplification_time_s", "peak_memory_kb", "cpus", "shares_core"})
         json.erase(key);
     return json;
 }

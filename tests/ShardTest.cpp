@@ -164,6 +164,26 @@ TEST_F(Shards, AnyRunCanBeDoneOnceMore)
     EXPECT_EQ(changed.deviations[0].stored, "-1");
 }
 
+/// Ended by a count, not by the clock, even runs that solve nothing come out the same.
+TEST_F(Shards, RunsWithinABudgetRepeatThemselves)
+{
+    std::ofstream(folder_ + "/budget.cfg") << "[problem]\nname = budget\nscenario = " << NARROWS_SOURCE_DIR
+                                           << "/experiments/scenarios/hppm_case3.yaml\n[benchmark]\nrun_count = 2\n"
+                                              "time_limit = 100\nevaluation_limit = 1500\nstate_check_limit = 150\n"
+                                              "[planner]\nrrt =\nkpiece1 =\nhppm =\nhppm.recipe = none\n";
+    experiment_ = readExperiment(folder_ + "/budget.cfg");
+    run("a.db");
+    run("b.db");
+    EXPECT_EQ(rows("a.db"), rows("b.db"));
+    const ResultStore store = ResultStore::open(path("a.db"));
+    int limited = 0;
+    for (const RunRow &row : store.runs())
+        limited += row.reason == "state_check_limit" || row.reason == "evaluation_limit" ? 1 : 0;
+    EXPECT_GE(limited, 4);
+    for (std::int64_t id = 1; id <= 6; ++id)
+        EXPECT_THAT(replay(store, id).deviations, IsEmpty()) << id;
+}
+
 TEST_F(Shards, RunsWithRecipesAndListsCanBeDoneOnceMore)
 {
     std::ofstream(folder_ + "/recipe.cfg") << "[problem]\nname = recipe\nscenario = " << NARROWS_SOURCE_DIR

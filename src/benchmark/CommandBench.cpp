@@ -10,6 +10,7 @@
 
 #include "benchmark/Campaign.h"
 #include "benchmark/Commands.h"
+#include "benchmark/Cores.h"
 #include "benchmark/ResultStore.h"
 #include "benchmark/Summary.h"
 
@@ -28,6 +29,7 @@ struct BenchOptions
 {
     std::string experiment;
     std::string shard = "1/1";
+    std::string slot = "1/1";
     CampaignOptions campaign;
 };
 
@@ -46,8 +48,17 @@ std::string summarized(const std::string &database, bool markdown)
     return markdown ? summaryMarkdown(rows) : summaryText(rows);
 }
 
+/// Several campaigns at a time share the machine's cores as the runs of one do.
+void keepToSlot(const Shard &slot)
+{
+    if (slot.count > 1)
+        keepTo(sharesOf(usablePhysicalCores(),
+                        static_cast<std::size_t>(slot.count))[static_cast<std::size_t>(slot.index) - 1]);
+}
+
 int bench(BenchOptions options)
 {
+    keepToSlot(shardFromText(options.slot));
     const Experiment experiment = readExperiment(options.experiment);
     CampaignOptions &campaign = options.campaign;
     campaign.shard = shardFromText(options.shard);
@@ -84,6 +95,10 @@ void addBenchCommand(CLI::App &program, int &exitCode)
     command
         ->add_option("--shard", options->shard,
                      "i/n: only the i-th of n parts of the runs; `narrows merge` joins the databases")
+        ->capture_default_str();
+    command
+        ->add_option("--slot", options->slot,
+                     "i/n: this is the i-th of n campaigns at a time on this machine; keeps to its share of the cores")
         ->capture_default_str();
     command->add_flag("--resume", options->campaign.resume,
                       "do what an existing database lacks; begin one if there is none");

@@ -23,6 +23,7 @@ void addRecheckCommand(CLI::App &program, int &exitCode);
 void addReplayCommand(CLI::App &program, int &exitCode);
 void addMergeCommand(CLI::App &program, int &exitCode);
 void addDoctorCommand(CLI::App &program, int &exitCode);
+void addSubmitCommands(CLI::App &program, int &exitCode);
 void addGenerateCommand(CLI::App &program, int &exitCode);
 void addReportCommand(CLI::App &program, int &exitCode);
 void addListCommands(CLI::App &program, int &exitCode);

@@ -7,12 +7,10 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "benchmark/BuildInfo.h"
+#include "benchmark/Subprocess.h"
 
 namespace narrows
 {
@@ -57,27 +55,6 @@ std::string findScript(const std::string &name)
     throw std::runtime_error("this needs analysis/" + name + ", which is neither in the sources nor installed");
 }
 
-/// \return the exit code; 127 if the program cannot be started
-int run(std::vector<std::string> words, bool silent = false)
-{
-    std::vector<char *> arguments;
-    for (std::string &word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    if (silent)
-        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t child = 0;
-    int status = 0;
-    const bool ran = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ) == 0 &&
-                     waitpid(child, &status, 0) == child;
-    posix_spawn_file_actions_destroy(&actions);
-    if (!ran)
-        return 127;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
 /// The first on the path, or else the system's, whose packages another one on the path may lack.
 /// \param modules that it must have, of Debian packages named after them
 std::string findPython(const std::vector<std::string> &modules)
@@ -90,7 +67,7 @@ std::string findPython(const std::vector<std::string> &modules)
         packages += ", python3-" + module;
     }
     for (const char *python : {"python3", "/usr/bin/python3"})
-        if (run({python, "-c", code}, true) == 0)
+        if (runProgram({python, "-c", code}, true) == 0)
             return python;
     throw std::runtime_error("this needs python3 with packages that are missing; on Debian: " + packages);
 }
@@ -104,14 +81,14 @@ void drawRecord(const Scenario &scenario, const std::string &scenarioFile, const
     const TemporaryFile record(recordJson);
     const TemporaryFile generated(scenario.text);
     const std::string &scene = scenario.family.empty() ? scenarioFile : generated.path();
-    if (run({findPython(drawingModules), findScript("draw.py"), "run", scene, record.path(), outputFile}) != 0)
+    if (runProgram({findPython(drawingModules), findScript("draw.py"), "run", scene, record.path(), outputFile}) != 0)
         throw std::runtime_error("drawing failed: see above");
 }
 
 void drawData(const std::string &script, const std::string &json, const std::string &outputFile)
 {
     const TemporaryFile data(json);
-    if (run({findPython(drawingModules), findScript(script), data.path(), outputFile}) != 0)
+    if (runProgram({findPython(drawingModules), findScript(script), data.path(), outputFile}) != 0)
         throw std::runtime_error("drawing failed: see above");
 }
 
@@ -119,7 +96,7 @@ void runReport(const std::vector<std::string> &words)
 {
     std::vector<std::string> command{findPython({"numpy", "pandas", "scipy", "statsmodels"}), findScript("report.py")};
     command.insert(command.end(), words.begin(), words.end());
-    if (run(command) != 0)
+    if (runProgram(command) != 0)
         throw std::runtime_error("no report: see above");
 }
 }  // namespace narrows

@@ -2,6 +2,7 @@
 #include "benchmark/Environment.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -14,6 +15,7 @@
 
 #include "benchmark/BuildInfo.h"
 #include "benchmark/Commit.h"
+#include "benchmark/Plugins.h"
 #include "benchmark/Text.h"
 
 namespace narrows
@@ -44,6 +46,15 @@ int usableCores()
     cpu_set_t cores;
     CPU_ZERO(&cores);
     return sched_getaffinity(0, sizeof(cores), &cores) == 0 ? CPU_COUNT(&cores) : 0;
+}
+
+/// "libx.so 0123..." with the SHA-256, of all.
+std::string pluginNames()
+{
+    std::vector<std::string> names;
+    for (const LoadedPlugin &plugin : loadedPlugins())
+        names.push_back(std::filesystem::path(plugin.path).filename().string() + " " + plugin.sha256);
+    return joined(names, "; ");
 }
 
 std::string dotted(int major, int minor, int patch)
@@ -83,7 +94,8 @@ Environment captureEnvironment(int jobs)
                          {"cgal", build::cgal},
                          {"eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
                          {"boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-                         {"sqlite", SQLite::getLibVersion()}};
+                         {"sqlite", SQLite::getLibVersion()},
+                         {"plugins", pluginNames()}};
     return environment;
 }
 }  // namespace narrows

@@ -67,6 +67,9 @@ RunSpec makeSpec(const Experiment &experiment, const Instance &instance, const P
     spec.run = run;
     spec.timeLimit = experiment.timeLimit;
     spec.memoryLimit = experiment.memoryLimit;
+    spec.grace = experiment.grace;
+    spec.stateCheckLimit = experiment.stateCheckLimit;
+    spec.evaluationLimit = experiment.evaluationLimit;
     spec.simplify = experiment.simplify;
     spec.limits = experiment.limits;
     spec.warmUp = experiment.warmUp;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,25 @@ struct PlannerChoice
     bool isFor(const Scenario &scenario) const;
 };
 
+/// What a campaign is to decide, declared before its first run.
+struct Hypothesis
+{
+    std::string name;                   ///< one word
+    std::string statement;              ///< in words
+    std::vector<std::string> planners;  ///< labels of entries, each of which must show it
+    std::vector<std::string> against;   ///< labels of entries, against each of which; or none, and:
+    std::optional<double> bound;        ///< what the quantity is compared with
+    std::vector<std::string> groups;    ///< of instances
+    std::string quantity;               ///< success | time (s) | evaluations | memory (KB) | length
+    std::string direction;              ///< more | less: what the planners have, by the statement
+};
+
+struct Hypotheses
+{
+    double alpha = 0.05;  ///< chance to be wrong about any of them, all being decided at once
+    std::vector<Hypothesis> all;
+};
+
 /// Typed copy of an experiment file (docs/experiments.md).
 struct Experiment
 {
@@ -40,17 +60,23 @@ struct Experiment
     std::vector<std::shared_ptr<const Scenario>> scenarios;
     std::vector<std::string> checkers{"analytic"};
     std::vector<std::string> motions{"continuous"};
-    double timeLimit = 10.0;      ///< seconds per run
-    double memoryLimit = 1024.0;  ///< MB per run
-    int runCount = 20;            ///< per planner entry and instance
-    std::uint32_t seed = 1;       ///< of the campaign; every run derives its own
-    std::string output;           ///< folder for the database
+    double timeLimit = 10.0;           ///< seconds per run
+    double memoryLimit = 1024.0;       ///< MB per run
+    double grace = RunSpec().grace;    ///< seconds after the time limit until a run is killed
+    std::int64_t stateCheckLimit = 0;  ///< per run; 0: none
+    std::int64_t evaluationLimit = 0;  ///< per run; 0: none
+    int runCount = 20;                 ///< per planner entry and instance
+    std::uint32_t seed = 1;            ///< of the campaign; every run derives its own
+    std::string output;                ///< folder for the database
     SavePaths savePaths = SavePaths::Shortest;
     bool simplify = false;
     std::optional<MotionLimits> limits;  ///< at which the solutions' durations are compared
     double warmUp = 0.02;                ///< seconds, untimed, before every run
     int jobs = 1;                        ///< runs at a time
+    bool pin = true;                     ///< keep every run to physical cores of its own
+    int canary = 0;                      ///< runs between two runs of the canary (Canary.h); 0: none
     std::vector<PlannerChoice> planners;
+    Hypotheses hypotheses;
 
     /// Where results go unless told otherwise: <output>/<file's stem>.db
     std::string databasePath() const;
@@ -61,6 +87,9 @@ struct Experiment
 /// \throws InputError with all faults of the file and of the scenarios it names, unknown planners and parameters
 /// included.
 Experiment readExperiment(const std::string &path);
+
+/// The same for text that is already in memory; scenarios are looked for beside `path`.
+Experiment parseExperiment(const std::string &text, const std::string &path);
 
 /// All runs in the order they shall be done: run 0 of all instances, then run 1, ... The planners of one instance and
 /// run follow each other in an order drawn from the seed, so that a drift of the machine's speed hits all of them

@@ -4,12 +4,13 @@
 #include <functional>
 #include <limits>
 #include <set>
-#include <thread>
 
+#include "benchmark/Cores.h"
 #include "benchmark/Experiment.h"
+#include "benchmark/Hypothesis.h"
 #include "benchmark/IniFile.h"
-#include "benchmark/PathTiming.h"
 #include "benchmark/PlannerSection.h"
+#include "benchmark/Setting.h"
 #include "benchmark/SweepSection.h"
 #include "benchmark/Text.h"
 #include "scenario/InputText.h"
@@ -19,113 +20,18 @@ namespace narrows
 {
 namespace
 {
-/// Takes a value; what is wrong with it, or nothing.
-using Setting = std::function<std::string(const std::string &)>;
-
-bool isWord(const std::string &text)
-{
-    const auto fits = [](char c)
-    {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
-    };
-    return !text.empty() && std::all_of(text.begin(), text.end(), fits);
-}
-
-Setting word(std::string &target)
-{
-    return [&target](const std::string &value)
-    {
-        target = value;
-        return isWord(value) ? "" : "'" + value + "' is not one word of letters, digits, _, - and .";
-    };
-}
-
-Setting number(double &target, const std::string &least)
-{
-    return [&target, least](const std::string &value) -> std::string
-    {
-        const std::optional<double> result = toNumber(value);
-        if (!result || *result < *toNumber(least))
-            return "'" + value + "' is not a number >= " + least;
-        target = *result;
-        return "";
-    };
-}
-
-template <typename Integer>
-Setting integer(Integer &target, Integer least, Integer most = std::numeric_limits<Integer>::max())
-{
-    return [&target, least, most](const std::string &value) -> std::string
-    {
-        const std::optional<double> result = toNumber(value);
-        if (!result || *result < static_cast<double>(least) || *result > static_cast<double>(most) ||
-            *result != static_cast<double>(static_cast<Integer>(*result)))
-            return "'" + value + "' is not a whole number from " + std::to_string(least) + " to " +
-                   std::to_string(most);
-        target = static_cast<Integer>(*result);
-        return "";
-    };
-}
-
-template <typename Value>
-Setting oneOf(Value &target, const std::vector<std::pair<std::string, Value>> &choices)
-{
-    return [&target, choices](const std::string &value) -> std::string
-    {
-        std::vector<std::string> names;
-        for (const auto &[name, meaning] : choices)
-        {
-            if (name == value)
-            {
-                target = meaning;
-                return "";
-            }
-            names.push_back(name);
-        }
-        return "'" + value + "' is none of " + joined(names, ", ");
-    };
-}
-
-Setting list(std::vector<std::string> &target)
-{
-    return [&target](const std::string &value) -> std::string
-    {
-        target = split(value, ',');
-        std::vector<std::string> sorted = target;
-        std::sort(sorted.begin(), sorted.end());
-        if (sorted.empty() || sorted.front().empty())
-            return "expected a list separated by commas";
-        const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
-        return twin == sorted.end() ? "" : "names '" + *twin + "' twice";
-    };
-}
-
-Setting motionLimits(std::optional<MotionLimits> &target)
-{
-    return [&target](const std::string &value) -> std::string
-    {
-        try
-        {
-            target = limitsFromText(value);
-            return "";
-        }
-        catch (const std::invalid_argument &error)
-        {
-            return error.what();
-        }
-    };
-}
+constexpr std::int64_t mostChecks = 1'000'000'000'000'000;  // that a double tells from its neighbours
 
 class ExperimentReader
 {
 public:
-    explicit ExperimentReader(const std::string &path)
+    ExperimentReader(std::string text, const std::string &path)
     {
         result_.file = path;
-        result_.text = readInputText(path);
+        result_.text = std::move(text);
         checkInputText(result_.text, path);
         result_.output = std::filesystem::path(path).parent_path().string();
-        result_.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+        result_.jobs = std::max(1, static_cast<int>(usablePhysicalCores().size()));
     }
 
     Experiment read()
@@ -133,11 +39,14 @@ public:
         const std::vector<IniEntry> entries = parseIni(result_.text, result_.file, faults_);
         std::vector<IniEntry> plannerEntries;
         std::vector<IniEntry> sweepEntries;
+        std::vector<IniEntry> hypothesisEntries;
         for (const IniEntry &entry : entries)
             if (entry.section == "planner")
                 plannerEntries.push_back(entry);
             else if (entry.section == "sweep")
                 sweepEntries.push_back(entry);
+            else if (entry.section == "hypothesis")
+                hypothesisEntries.push_back(entry);
             else
                 readSetting(entry);
         axes_ = readSweepSection(sweepEntries, result_.file, faults_);
@@ -148,6 +57,8 @@ public:
         result_.planners = readPlannerSection(plannerEntries, result_.file, space_, result_.scenarios, faults_);
         if (plannerEntries.empty())
             fault(0, "planner", "there is no planner; add a [planner] section with lines like `rrtconnect =`");
+        if (faults_.empty())  // what they speak of must be sound first
+            result_.hypotheses = readHypothesisSection(hypothesisEntries, result_, faults_);
         if (!faults_.empty())
             throw InputError(sortedFaults());
         return result_;
@@ -178,6 +89,9 @@ private:
                 {"problem.scenario", list(scenarioFiles_)},
                 {"benchmark.time_limit", number(result_.timeLimit, "0.001")},
                 {"benchmark.mem_limit", number(result_.memoryLimit, "1")},
+                {"benchmark.grace", number(result_.grace, "0")},
+                {"benchmark.state_check_limit", integer(result_.stateCheckLimit, std::int64_t{0}, mostChecks)},
+                {"benchmark.evaluation_limit", integer(result_.evaluationLimit, std::int64_t{0}, mostChecks)},
                 {"benchmark.run_count", integer(result_.runCount, 1, 1000000)},
                 {"benchmark.seed", integer<std::uint32_t>(result_.seed, 0)},
                 {"benchmark.output",
@@ -194,7 +108,9 @@ private:
                 {"benchmark.motion", list(result_.motions)},
                 {"benchmark.space", word(space_)},
                 {"benchmark.warm_up", number(result_.warmUp, "0")},
-                {"benchmark.jobs", integer(result_.jobs, 1, 1024)}};
+                {"benchmark.canary", integer(result_.canary, 0, 1000000)},
+                {"benchmark.jobs", integer(result_.jobs, 1, 1024)},
+                {"benchmark.pin", oneOf<bool>(result_.pin, {{"0", false}, {"1", true}})}};
     }
 
     void readSetting(const IniEntry &entry)
@@ -204,7 +120,8 @@ private:
         if (entry.section.empty())
             return fault(entry.line, entry.key, "stands outside of any section");
         if (entry.section != "problem" && entry.section != "benchmark")
-            return fault(entry.line, name, "unknown section; there are problem, benchmark, sweep and planner");
+            return fault(entry.line, name,
+                         "unknown section; there are problem, benchmark, sweep, planner and hypothesis");
         if (known.count(name) == 0)
             return fault(entry.line, name, "unknown key" + knownKeys(known, entry.section));
         if (!lines_.emplace(name, entry.line).second)
@@ -248,9 +165,11 @@ private:
             else
                 readScenarioFile(path);
         }
-        if (!axes_.empty() && !swept_ && faults_.empty())
-            fault(axes_.front().line, "sweep.generate." + axes_.front().parameter,
-                  "no scenario of this experiment has `generate`");
+        for (const SweepAxis &axis : axes_)
+            if (faults_.empty() && swept_.count(axis.scenario) == 0)
+                fault(axis.line, keyOf(axis),
+                      axis.scenario.empty() ? "no scenario of this experiment has `generate` and no axes of its own"
+                                            : "no scenario with `generate` is called '" + axis.scenario + "'");
     }
 
     /// One scenario; of a file with `generate` one for every combination of the sweep.
@@ -259,10 +178,11 @@ private:
         try
         {
             const Scenario scenario = readScenario(path);
-            if (axes_.empty() || scenario.family.empty())
+            const std::vector<SweepAxis> axes = axesOf(scenario.name, axes_);
+            if (axes.empty() || scenario.family.empty())
                 addScenario(scenario);
-            else if (takesSweep(findFamily(scenario.family)))
-                for (const GenerateSettings &settings : combinations(axes_))
+            else if (takesSweep(findFamily(scenario.family), axes))
+                for (const GenerateSettings &settings : combinations(axes))
                     addScenario(readScenario(path, settings));
         }
         catch (const InputError &error)
@@ -279,19 +199,24 @@ private:
         result_.scenarios.push_back(std::make_shared<const Scenario>(scenario));
     }
 
-    bool takesSweep(const Family &family)
+    static std::string keyOf(const SweepAxis &axis)
     {
-        swept_ = true;
+        return "sweep." + (axis.scenario.empty() ? "" : axis.scenario + ".") + "generate." + axis.parameter;
+    }
+
+    bool takesSweep(const Family &family, const std::vector<SweepAxis> &axes)
+    {
         const std::size_t before = faults_.size();
-        for (const SweepAxis &axis : axes_)
+        for (const SweepAxis &axis : axes)
             try
             {
+                swept_.insert(axis.scenario);
                 for (const std::string &value : axis.values)
                     family.parameter(axis.parameter).read(value);
             }
             catch (const std::invalid_argument &error)
             {
-                fault(axis.line, "sweep.generate." + axis.parameter, error.what());
+                fault(axis.line, keyOf(axis), error.what());
             }
         return faults_.size() == before;
     }
@@ -332,7 +257,7 @@ private:
     std::vector<std::string> scenarioFiles_;
     std::set<std::string> names_;  ///< of the scenarios
     std::vector<SweepAxis> axes_;
-    bool swept_ = false;  ///< has the sweep met a scenario that it is for?
+    std::set<std::string> swept_;  ///< scenarios of the axes that have met a file they are for
     std::string space_ = ProblemOptions().space;
     std::string output_;
 };
@@ -340,6 +265,11 @@ private:
 
 Experiment readExperiment(const std::string &path)
 {
-    return ExperimentReader(path).read();
+    return parseExperiment(readInputText(path), path);
+}
+
+Experiment parseExperiment(const std::string &text, const std::string &path)
+{
+    return ExperimentReader(text, path).read();
 }
 }  // namespace narrows

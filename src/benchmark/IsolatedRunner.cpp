@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <csignal>
 #include <list>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
 #include <poll.h>
 
+#include "benchmark/Cores.h"
+#include "benchmark/Orphans.h"
 #include "benchmark/PreparedRun.h"
 #include "benchmark/RunProcess.h"
 #include "planners/PlannerFactory.h"
@@ -62,28 +65,71 @@ private:
     sigset_t oldMask_{};
 };
 
+/// What runs at a time share, or do not.
+class Slots
+{
+public:
+    Slots(std::size_t count, bool pin)
+    {
+        const std::vector<CpuList> cores = usablePhysicalCores();
+        const bool threadsInCores =
+            std::any_of(cores.begin(), cores.end(), [](const CpuList &core) { return core.size() > 1; });
+        shareCores_ = count > cores.size() || (count > 1 && !pin && threadsInCores);
+        if (pin && count > 1)
+            shares_ = sharesOf(cores, count);
+        for (std::size_t slot = count; slot-- > 0;)
+            free_.push_back(slot);
+    }
+
+    bool anyFree() const { return !free_.empty(); }
+    std::size_t take()
+    {
+        const std::size_t slot = free_.back();
+        free_.pop_back();
+        return slot;
+    }
+    void giveBack(std::size_t slot) { free_.push_back(slot); }
+
+    /// None: any.
+    CpuList cpus(std::size_t slot) const { return shares_.empty() ? CpuList() : shares_[slot]; }
+
+    void describe(std::size_t slot, Record &record) const
+    {
+        record.sharesCore = shareCores_;
+        if (!shares_.empty())
+            record.cpus = toText(shares_[slot]);
+    }
+
+private:
+    std::vector<CpuList> shares_;  ///< by slot; none if runs are not pinned
+    std::vector<std::size_t> free_;
+    bool shareCores_ = false;
+};
+
 class Supervisor
 {
 public:
-    Supervisor(const std::vector<RunSpec> &specs, std::size_t jobs,
+    Supervisor(const std::vector<RunSpec> &specs, std::size_t jobs, bool pin,
                const std::function<void(std::size_t, const Record &)> &onRecord)
-      : specs_(specs), jobs_(jobs), onRecord_(onRecord)
+      : specs_(specs), onRecord_(onRecord), slots_(jobs, pin)
     {
     }
 
-    bool isDone() const { return next_ == specs_.size() && running_.empty(); }
+    bool isDone() const { return !anyWaiting() && running_.empty(); }
 
     void start()
     {
-        while (next_ < specs_.size() && running_.size() < jobs_)
+        while (anyWaiting() && slots_.anyFree())
         {
-            const std::size_t index = next_++;
+            const std::size_t index = takeNext();
+            const std::size_t slot = slots_.take();
             try
             {
-                running_.emplace_back(specs_[index], index);
+                running_.emplace_back(specs_[index], index, slot, slots_.cpus(slot));
             }
             catch (const std::system_error &error)
             {
+                slots_.giveBack(slot);
                 Record record = announce(specs_[index]);
                 record.outcome = Outcome::InternalError;
                 record.reason = error.what();
@@ -113,12 +159,7 @@ public:
             process->readAll();
             process->enforceDeadline(Clock::now());
             if (process->hasEnded())
-            {
-                const std::size_t index = process->index();
-                const Record record = process->record();
-                process = running_.erase(process);
-                onRecord_(index, record);
-            }
+                process = finish(process);
             else
                 ++process;
         }
@@ -127,23 +168,59 @@ public:
 private:
     static constexpr std::chrono::milliseconds longestWait{500};  // how late a request to stop may be noticed
 
+    static constexpr int mostKills = 3;  // by others, of one run; who always is, gets a record that says so
+
+    bool anyWaiting() const { return next_ < specs_.size() || !again_.empty(); }
+
+    std::size_t takeNext()
+    {
+        if (again_.empty())
+            return next_++;
+        const std::size_t index = again_.back();
+        again_.pop_back();
+        return index;
+    }
+
+    std::list<RunProcess>::iterator finish(std::list<RunProcess>::iterator process)
+    {
+        const std::size_t index = process->index();
+        Record record = process->record();
+        const bool onceMore = process->wasKilledFromOutside() && ++kills_[index] < mostKills;
+        slots_.describe(process->slot(), record);
+        slots_.giveBack(process->slot());
+        const auto next = running_.erase(process);
+        std::vector<pid_t> ours;
+        for (const RunProcess &other : running_)
+            ours.push_back(other.pid());
+        orphans_.kill(ours);
+        if (onceMore)
+            again_.push_back(index);
+        else
+            onRecord_(index, record);
+        return next;
+    }
+
     const std::vector<RunSpec> &specs_;
-    std::size_t jobs_;
     const std::function<void(std::size_t, const Record &)> &onRecord_;
     std::size_t next_ = 0;
+    std::vector<std::size_t> again_;    // runs to be repeated
+    std::map<std::size_t, int> kills_;  // by others, so far
     ChildSignal signal_;
+    Orphans orphans_;  // goes after the runs, whose ends it collects
+    Slots slots_;
     std::list<RunProcess> running_;
 };
 }  // namespace
 
 void runAll(const std::vector<RunSpec> &specs, int jobs,
-            const std::function<void(std::size_t, const Record &)> &onRecord, const std::function<bool()> &stop)
+            const std::function<void(std::size_t, const Record &)> &onRecord, const std::function<bool()> &stop,
+            bool pin)
 {
     if (jobs < 1)
         throw std::invalid_argument("jobs must be at least 1");
     for (const RunSpec &spec : specs)
         findPlanner(spec.planner);
-    Supervisor supervisor(specs, static_cast<std::size_t>(jobs), onRecord);
+    Supervisor supervisor(specs, static_cast<std::size_t>(jobs), pin, onRecord);
     while (!supervisor.isDone() && !(stop && stop()))
     {
         supervisor.start();

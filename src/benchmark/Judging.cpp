@@ -152,6 +152,15 @@ void recordCosts(const SolveMeasurement &measurement, Record &record)
     record.evaluations = static_cast<std::int64_t>(measurement.placements);
 }
 
+std::int64_t homotopyEvaluations(const ob::Planner &planner)
+{
+    const auto *modelPlanner = dynamic_cast<const ModelPlanner *>(&planner);
+    if (modelPlanner == nullptr)
+        return 0;
+    const auto own = modelPlanner->measures().find("homotopy_evaluations");
+    return own == modelPlanner->measures().end() ? 0 : static_cast<std::int64_t>(own->second);
+}
+
 void judge(const RunSpec &spec, const Problem &problem, const ob::Planner &planner, const SolveMeasurement &measurement,
            const og::PathGeometric *path, Record &record)
 {
@@ -190,9 +199,8 @@ void recordPlannerData(const RunSpec &spec, const Problem &problem, const ob::Pl
         record.measures = modelPlanner->measures();
         record.recipe = modelPlanner->recipe();
         recordVias(spec, problem, modelPlanner->vias(), record);
-        const auto own = record.measures.find("homotopy_evaluations");
-        if (own != record.measures.end() && record.evaluations)
-            *record.evaluations += static_cast<std::int64_t>(own->second);
+        if (record.evaluations)
+            *record.evaluations += homotopyEvaluations(planner);
     }
     try
     {

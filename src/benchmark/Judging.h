@@ -13,6 +13,9 @@ namespace narrows
 /// Writes times and counts into the record.
 void recordCosts(const SolveMeasurement &measurement, Record &record);
 
+/// Evaluations of a homotopy that a planner of ours has made since clear(); 0 for all others.
+std::int64_t homotopyEvaluations(const ob::Planner &planner);
+
 /// Decides how the run ended: only EXACT_SOLUTION is a claim, and the verifier has the last word on it. A path short of
 /// the goal counts as Approximate if the planner stopped by itself, as Timeout if the limit stopped it. A planner that
 /// gave up before the limit found NoSolution, even if it calls that a timeout (as OMPL's planners do).

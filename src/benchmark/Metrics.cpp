@@ -114,6 +114,8 @@ const std::vector<Metric> &metrics()
         {"evaluations", "INTEGER", "configurations examined for either, plus evaluations of a homotopy",
          of(&Record::evaluations)},
         {"peak_memory_kb", "REAL", "growth of the process's peak memory, KB", of(&Record::peakMemoryKb)},
+        {"cpus", "TEXT", "CPUs that the run was kept to; NULL: it was not pinned", of(&Record::cpus)},
+        {"shares_core", "BOOLEAN", "another run may have been on the same physical core", of(&Record::sharesCore)},
         {"waypoints", "INTEGER", "states of the path", of(&Record::waypoints)},
         {"max_joint_step", "REAL", "largest change of one joint between two waypoints, rad", of(&Record::maxJointStep)},
         {"largest_bend", "REAL", "largest bend of a universal joint over the path, rad", of(&Record::largestBend)},
@@ -142,7 +144,8 @@ const std::vector<Metric> &metrics()
 
 bool isMeasured(const Metric &metric)
 {
-    for (const char *name : {"time", "cpu_time", "simplification_time", "memory", "peak_memory_kb"})
+    for (const char *name :
+         {"time", "cpu_time", "simplification_time", "memory", "peak_memory_kb", "cpus", "shares_core"})
         if (metric.name == name)
             return true;
     return false;

@@ -26,7 +26,7 @@ struct Metric
 /// In the order of the columns: OMPL's first, under OMPL's names where the meaning is OMPL's.
 const std::vector<Metric> &metrics();
 
-/// Is it a time or an amount of memory, which differs from run to run of one spec? All others are the same for the same
-/// seed, for planners without threads.
+/// Is it a time, an amount of memory or a place on the machine, which differ from run to run of one spec? All others
+/// are the same for the same seed, for planners without threads.
 bool isMeasured(const Metric &metric);
 }  // namespace narrows

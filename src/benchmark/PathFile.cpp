@@ -18,11 +18,11 @@ using Json = nlohmann::json;
     throw InputError({{file, 0, key, reason}});
 }
 
-Json parse(const std::string &file)
+Json parseJson(const std::string &text, const std::string &file)
 {
     try
     {
-        return Json::parse(readInputText(file));
+        return Json::parse(text);
     }
     catch (const Json::parse_error &error)
     {
@@ -56,7 +56,12 @@ double number(const std::string &file, const std::string &key, const Json &json)
 
 std::vector<Eigen::VectorXd> readPathFile(const std::string &file, const Scenario &scenario)
 {
-    const Json rows = findRows(file, parse(file));
+    return parsePath(readInputText(file), file, scenario);
+}
+
+std::vector<Eigen::VectorXd> parsePath(const std::string &text, const std::string &file, const Scenario &scenario)
+{
+    const Json rows = findRows(file, parseJson(text, file));
     const auto dimension = static_cast<std::size_t>(dimensionOf(scenario.world));
     std::vector<Eigen::VectorXd> path;
     for (std::size_t i = 0; i < rows.size(); ++i)

@@ -73,6 +73,16 @@ void decode(const Json &json, bool &value)
     value = json.get<bool>();
 }
 
+Json encode(const std::string &value)
+{
+    return value;
+}
+
+void decode(const Json &json, std::string &value)
+{
+    value = json.get<std::string>();
+}
+
 template <typename Integer>
 void decode(const Json &json, Integer &value)
 {
@@ -96,6 +106,8 @@ void visitOptionals(AnyRecord &record, const Visit &visit)
     visit("motion_checks", record.motionChecks);
     visit("evaluations", record.evaluations);
     visit("peak_memory_kb", record.peakMemoryKb);
+    visit("cpus", record.cpus);
+    visit("shares_core", record.sharesCore);
     visit("status", record.status);
     visit("graph_states", record.graphStates);
     visit("graph_motions", record.graphMotions);

@@ -50,6 +50,9 @@ struct RunSpec
     int run = 0;
     std::uint32_t seed = 1;
     double timeLimit = 10.0;             ///< seconds, for solve()
+    double grace = 0.04;                 ///< seconds of CPU time after the time limit until the run is killed
+    std::int64_t stateCheckLimit = 0;    ///< states that solve() may ask about; 0: any number
+    std::int64_t evaluationLimit = 0;    ///< Record::evaluations that solve() may make; 0: any number
     double memoryLimit = 1024.0;         ///< MB on top of what the program needs before the run
     bool simplify = false;               ///< also time OMPL's path simplification
     std::optional<MotionLimits> limits;  ///< of every joint: also say how fast the path can be followed
@@ -71,7 +74,9 @@ struct Record
     std::optional<double> cpuTime;             ///< CPU seconds of all threads in solve()
     std::optional<double> simplificationTime;  ///< CPU seconds
     std::optional<double>
-        peakMemoryKb;  ///< growth of the process's peak resident size since before the problem was built
+        peakMemoryKb;                 ///< growth of the process's peak resident size since before the problem was built
+    std::optional<std::string> cpus;  ///< that the run was kept to, as "0-3,8"; empty: not pinned
+    std::optional<bool> sharesCore;   ///< may another run have been on the same physical core at the same time?
 
     // Everything below is the same for the same seed, for planners without threads.
     std::optional<std::int64_t> stateChecks;

@@ -66,21 +66,34 @@ std::string runsTable()
 
 }  // namespace
 
-std::set<std::string> runColumns(SQLite::Database &database)
+namespace
+{
+std::set<std::string> columnsOf(SQLite::Database &database, const std::string &table)
 {
     std::set<std::string> present;
-    SQLite::Statement query(database, "SELECT name FROM pragma_table_info('runs')");
+    SQLite::Statement query(database, "SELECT name FROM pragma_table_info(?)");
+    query.bind(1, table);
     while (query.executeStep())
         present.insert(query.getColumn(0).getString());
     return present;
 }
+}  // namespace
 
-void addNewMetrics(SQLite::Database &database)
+std::set<std::string> runColumns(SQLite::Database &database)
 {
-    const std::set<std::string> present = runColumns(database);
+    return columnsOf(database, "runs");
+}
+
+void addNewColumns(SQLite::Database &database)
+{
+    const std::set<std::string> known = runColumns(database);
     for (const Metric &metric : metrics())
-        if (present.count(metric.name) == 0)
+        if (known.count(metric.name) == 0)
             database.exec("ALTER TABLE runs ADD COLUMN " + metric.name + " " + metric.type);
+    const std::set<std::string> facts = columnsOf(database, "environments");
+    for (const auto &[name, value] : captureEnvironment(0).facts)
+        if (facts.count(name) == 0)
+            database.exec("ALTER TABLE environments ADD COLUMN " + name + " TEXT");
 }
 
 namespace
@@ -145,6 +158,7 @@ void requireSame(const std::string &path, SQLite::Database &database, const Expe
     SQLite::Statement query(database, "SELECT configuration, digest, engine FROM campaign");
     if (!query.executeStep())
         refuse(path, "holds no campaign");
+    requireSameHypotheses(path, database, experiment.hypotheses);
     if (query.getColumn(0).getString() != experiment.text)
         refuse(path, "holds another campaign: " + experiment.file + " is not what it was when this database was begun");
     if (query.getColumn(1).getString() != experiment.digest())
@@ -170,9 +184,23 @@ ResultStore::ResultStore(ResultStore &&other) noexcept = default;
 ResultStore &ResultStore::operator=(ResultStore &&other) noexcept = default;
 ResultStore::~ResultStore() = default;
 
+bool ResultStore::isBlank(const std::string &path)
+{
+    try
+    {
+        SQLite::Database database(path, SQLite::OPEN_READWRITE);
+        return database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0 &&
+               database.execAndGet("PRAGMA application_id").getInt() == 0;
+    }
+    catch (const SQLite::Exception &)
+    {
+        return false;
+    }
+}
+
 ResultStore ResultStore::create(const std::string &path, const Experiment &experiment, const std::string &engine)
 {
-    if (std::filesystem::exists(path))
+    if (std::filesystem::exists(path) && !isBlank(path))
         refuse(path, "exists already; nothing was overwritten. --resume goes on with it, --db names another file");
     std::error_code ignored;  // opening the file reports what is wrong with its folder
     std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
@@ -185,10 +213,12 @@ ResultStore ResultStore::create(const std::string &path, const Experiment &exper
         store.database_->exec(tables + runsTable() + environmentsTable());
         store.database_->exec("PRAGMA application_id = " + std::to_string(applicationId));
         store.database_->exec("PRAGMA user_version = " + std::to_string(schemaVersion));
+        addDeclarationTables(*store.database_);
         insertEnums(*store.database_);
         SQLite::Statement insert(*store.database_, "INSERT INTO campaign VALUES (?, ?, ?, ?, ?)");
         SQLite::bind(insert, experiment.name, experiment.text, experiment.digest(), experiment.seed, engine);
         insert.exec();
+        insertHypotheses(*store.database_, experiment.hypotheses);
         store.insertInstances(experiment);
         transaction.commit();
         return store;
@@ -203,7 +233,8 @@ ResultStore ResultStore::resume(const std::string &path, const Experiment &exper
 {
     ResultStore store(openOurs(path, SQLite::OPEN_READWRITE));
     requireSame(path, *store.database_, experiment, engine);
-    addNewMetrics(*store.database_);
+    addNewColumns(*store.database_);
+    addDeclarationTables(*store.database_);
     return store;
 }
 
@@ -233,10 +264,16 @@ void ResultStore::insertInstances(const Experiment &experiment)
                      experiment.name + ": " + scenario.name + (scenario.source.empty() ? "" : ", " + scenario.source),
                      scenario.name, spec.problem.checker, spec.problem.motion);
         insert.exec();
-        nlohmann::json options{{"group", spec.group},           {"checker", spec.problem.checker},
-                               {"motion", spec.problem.motion}, {"simplify", spec.simplify},
-                               {"warm_up", spec.warmUp},        {"time_limit", spec.timeLimit},
-                               {"mem_limit", spec.memoryLimit}};
+        nlohmann::json options{{"group", spec.group},
+                               {"checker", spec.problem.checker},
+                               {"motion", spec.problem.motion},
+                               {"simplify", spec.simplify},
+                               {"warm_up", spec.warmUp},
+                               {"time_limit", spec.timeLimit},
+                               {"mem_limit", spec.memoryLimit},
+                               {"grace", spec.grace},
+                               {"state_check_limit", spec.stateCheckLimit},
+                               {"evaluation_limit", spec.evaluationLimit}};
         if (spec.limits)
             options["limits"] = {spec.limits->velocity, spec.limits->acceleration, spec.limits->jerk};
         SQLite::Statement instance(*database_, "INSERT INTO instances VALUES (last_insert_rowid(), ?, ?, ?)");
@@ -247,20 +284,33 @@ void ResultStore::insertInstances(const Experiment &experiment)
 
 void ResultStore::beginSession(const Environment &environment)
 {
-    std::string marks;
-    for (std::size_t i = 0; i < environment.facts.size(); ++i)
+    std::string names = "date";
+    std::string marks = "datetime('now')";
+    for (const auto &[name, value] : environment.facts)
+    {
+        names += ", " + name;
         marks += ", ?";
-    SQLite::Statement insert(*database_, "INSERT INTO environments VALUES (NULL, datetime('now')" + marks + ")");
-    for (std::size_t i = 0; i < environment.facts.size(); ++i)
-        insert.bind(static_cast<int>(i) + 1, environment.facts[i].second);
-    insert.exec();
-    environment_ = database_->getLastInsertRowid();
+    }
+    environment_ = writeTo(*database_,
+                           [&]
+                           {
+                               SQLite::Statement insert(
+                                   *database_, "INSERT INTO environments (" + names + ") VALUES (" + marks + ")");
+                               for (std::size_t i = 0; i < environment.facts.size(); ++i)
+                                   insert.bind(static_cast<int>(i) + 1, environment.facts[i].second);
+                               insert.exec();
+                               return database_->getLastInsertRowid();
+                           });
 }
 
 void ResultStore::endSession(double seconds)
 {
-    SQLite::Statement update(*database_, "UPDATE experiments SET totaltime = totaltime + ?");
-    update.bind(1, seconds);
-    update.exec();
+    writeTo(*database_,
+            [&]
+            {
+                SQLite::Statement update(*database_, "UPDATE experiments SET totaltime = totaltime + ?");
+                update.bind(1, seconds);
+                update.exec();
+            });
 }
 }  // namespace narrows

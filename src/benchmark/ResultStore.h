@@ -72,8 +72,10 @@ class ResultStore
 {
 public:
     /// A new database.
-    /// \throws InputError if the file exists or cannot be made.
+    /// \throws InputError if the file exists, unless it is blank, or cannot be made.
     static ResultStore create(const std::string &path, const Experiment &experiment, const std::string &engine);
+    /// Is the file a database without anything in it? So it is left by a campaign that was killed while it made it.
+    static bool isBlank(const std::string &path);
     /// The database of a campaign that was interrupted.
     /// \throws InputError if it is damaged, not ours, or of another campaign (experiment file, scenario, engine).
     static ResultStore resume(const std::string &path, const Experiment &experiment, const std::string &engine);
@@ -94,14 +96,17 @@ public:
 
     /// Says where the runs that follow are done.
     void beginSession(const Environment &environment);
-    /// \throws std::runtime_error if there is such a run already.
+    /// \throws InputError if it cannot be written: no room, or there is such a run already. Nothing of it is stored
+    /// then.
     void add(const RunSpec &spec, const Record &record, SavePaths savePaths);
+    /// Adds a run of the canary (Canary.h), which is none of the campaign's.
+    void addCanary(const Record &record);
     /// Books a session's duration on all experiments.
     void endSession(double seconds);
 
     /// The runs of the list that have no row yet, in its order.
     std::vector<RunSpec> missing(const std::vector<RunSpec> &specs) const;
-    /// Ordered by instance, label and run.
+    /// Ordered by instance, label and run. What reads throws InputError if somebody else has written into the database.
     std::vector<RunRow> runs() const;
     void eachPath(const std::function<void(const PathRow &)> &visit) const;
     /// \param id of the table `runs`

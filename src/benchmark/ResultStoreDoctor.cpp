@@ -30,41 +30,57 @@ void addChangedScenarios(SQLite::Database &database, std::vector<std::string> &f
             faults.push_back("the scenario of " + query.getColumn(0).getString() +
                              " is not the one that its SHA-256 was taken of");
 }
-}  // namespace
 
-Diagnosis ResultStore::examine() const
+void addChangedHypotheses(SQLite::Database &database, std::vector<std::string> &faults)
+{
+    if (!database.tableExists("hypotheses"))
+        return;  // an older program made it
+    SQLite::Statement query(database, "SELECT name, definition, sha256 FROM hypotheses ORDER BY name");
+    while (query.executeStep())
+        if (sha256(query.getColumn(1).getString()) != query.getColumn(2).getString())
+            faults.push_back("the hypothesis " + query.getColumn(0).getString() +
+                             " is not the one that its SHA-256 was taken of");
+}
+
+Diagnosis diagnose(SQLite::Database &database)
 {
     Diagnosis diagnosis;
-    for (const std::string &table : texts(*database_, "SELECT DISTINCT \"table\" FROM pragma_foreign_key_check()"))
+    for (const std::string &table : texts(database, "SELECT DISTINCT \"table\" FROM pragma_foreign_key_check()"))
         diagnosis.faults.push_back("rows of " + table + " refer to rows that are not there");
-    addChangedScenarios(*database_, diagnosis.faults);
-    for (const std::string &run : texts(*database_, "SELECT id FROM runs WHERE solved AND NOT coalesce(verified, 0)"))
+    addChangedScenarios(database, diagnosis.faults);
+    addChangedHypotheses(database, diagnosis.faults);
+    for (const std::string &run : texts(database, "SELECT id FROM runs WHERE solved AND NOT coalesce(verified, 0)"))
         diagnosis.faults.push_back("run " + run + " counts as solved, though no verifier accepted it");
-    for (const std::string &run :
-         texts(*database_, "SELECT id FROM runs WHERE (outcome = 'solved') IS NOT (solved = 1)"))
+    for (const std::string &run : texts(database, "SELECT id FROM runs WHERE (outcome = 'solved') IS NOT (solved = 1)"))
         diagnosis.faults.push_back("run " + run + " contradicts itself: outcome and solved differ");
 
-    for (const std::string &line : texts(*database_, R"(
+    for (const std::string &line : texts(database, R"(
              SELECT experiments.name || ', ' || plannerConfigs.name || ': ' || count(*) || ' of ' || runcount || ' runs'
              FROM runs JOIN experiments ON experiments.id = experimentid
                JOIN plannerConfigs ON plannerConfigs.id = plannerid
              GROUP BY experimentid, plannerid HAVING count(*) < runcount ORDER BY 1)"))
         diagnosis.notes.push_back(line);
-    for (const std::string &name : texts(*database_,
+    for (const std::string &name : texts(database,
                                          "SELECT name FROM experiments WHERE id NOT IN (SELECT "
                                          "experimentid FROM runs) ORDER BY name"))
         diagnosis.notes.push_back(name + ": no runs");
     for (const char *fact : {"git_commit", "compiler", "flags", "cpu", "ompl", "fcl"})
     {
-        const auto values = texts(*database_, fmt::format("SELECT DISTINCT {} FROM environments WHERE id IN (SELECT "
-                                                          "environmentid FROM runs) ORDER BY 1",
-                                                          fact));
+        const auto values = texts(database, fmt::format("SELECT DISTINCT {} FROM environments WHERE id IN (SELECT "
+                                                        "environmentid FROM runs) ORDER BY 1",
+                                                        fact));
         if (values.size() > 1)
             diagnosis.notes.push_back(
                 fmt::format("measured in {} environments that differ in {}", values.size(), fact));
     }
-    if (!texts(*database_, "SELECT id FROM environments WHERE git_dirty = '1'").empty())
+    if (!texts(database, "SELECT id FROM environments WHERE git_dirty = '1'").empty())
         diagnosis.notes.push_back("measured by a program with changes that its commit does not have");
     return diagnosis;
+}
+}  // namespace
+
+Diagnosis ResultStore::examine() const
+{
+    return readFrom(*database_, [this] { return diagnose(*database_); });
 }
 }  // namespace narrows

@@ -98,6 +98,9 @@ void addPart(SQLite::Database &database)
                       JOIN main.experiments AS e2 ON e2.name = e.name
                       JOIN part.plannerConfigs AS c ON c.id = r.plannerid
                       JOIN main.plannerConfigs AS c2 ON c2.name = c.name AND c2.settings = c.settings)");
+    database.exec(
+        "INSERT INTO main.canaries (environmentid, date, cpu_time, state_checks, outcome) SELECT environmentid + " +
+        environments + ", date, cpu_time, state_checks, outcome FROM part.canaries ORDER BY id");
     database.exec("INSERT INTO main.paths (runid, angles) SELECT runid + " + runs + ", angles FROM part.paths");
     database.exec(
         "UPDATE main.experiments SET totaltime = totaltime + coalesce((SELECT p.totaltime FROM "
@@ -138,7 +141,9 @@ std::string upToDateCopy(const std::string &part, const std::string &copy)
     SQLite::Statement statement(*source, "VACUUM INTO ?");
     statement.bind(1, copy);
     statement.exec();
-    addNewMetrics(*openOurs(copy, SQLite::OPEN_READWRITE));
+    const auto database = openOurs(copy, SQLite::OPEN_READWRITE);
+    addNewColumns(*database);
+    addDeclarationTables(*database);
     return campaignOf(*source);
 }
 

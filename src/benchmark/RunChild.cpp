@@ -130,11 +130,14 @@ char toMark(RunStage stage)
     return '?';
 }
 
-void liveAsRun(const RunSpec &spec, const ChildPipes &pipes, int supervisor) noexcept
+void liveAsRun(const RunSpec &spec, const ChildPipes &pipes, const CpuList &cpus, int supervisor) noexcept
 {
     resetSignals();
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // Children of children that lose their parents stay ours, and fall to the supervisor when we end.
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    keepTo(cpus);
     if (getppid() != supervisor)
         _exit(EXIT_FAILURE);
     redirectStandardStreams(pipes.output);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "benchmark/Cores.h"
 #include "benchmark/Record.h"
 #include "benchmark/RunOnce.h"
 
@@ -20,6 +21,7 @@ struct ChildPipes
 
 /// The whole life of a run's process, right after fork(): puts limits on itself, does the run, sends the record, exits.
 /// Nothing may come back from here into the supervisor's code.
+/// \param cpus to keep to; none: any
 /// \param supervisor process id of the parent; if it is gone, so is this process
-[[noreturn]] void liveAsRun(const RunSpec &spec, const ChildPipes &pipes, int supervisor) noexcept;
+[[noreturn]] void liveAsRun(const RunSpec &spec, const ChildPipes &pipes, const CpuList &cpus, int supervisor) noexcept;
 }  // namespace narrows

@@ -13,6 +13,7 @@
 #include "benchmark/PreparedRun.h"
 #include "benchmark/ProcessUsage.h"
 #include "benchmark/QuietOmpl.h"
+#include "benchmark/RunBudget.h"
 #include "benchmark/SolveMeasurement.h"
 
 namespace narrows
@@ -86,8 +87,8 @@ void runStages(const RunSpec &spec, const std::function<void(RunStage)> &onStage
     run.planner->params().getParams(record.parameters);
 
     onStage(RunStage::Solving);
-    const SolveMeasurement measurement =
-        measureSolve(*run.planner, ob::timedPlannerTerminationCondition(spec.timeLimit), *run.problem.counts);
+    const RunBudget budget(spec, run);
+    const SolveMeasurement measurement = measureSolve(*run.planner, budget.condition(), *run.problem.counts);
 
     onStage(RunStage::Judging);
     const std::optional<double> peak = peakResidentKb();
@@ -96,6 +97,8 @@ void runStages(const RunSpec &spec, const std::function<void(RunStage)> &onStage
     recordCosts(measurement, record);
     const std::shared_ptr<og::PathGeometric> path = copySolution(*run.problem.pdef);
     judge(spec, run.problem, *run.planner, measurement, path.get(), record);
+    if (record.outcome == Outcome::Timeout && !budget.reached().empty())
+        record.reason = budget.reached();
     if (!measurement.failure)
         recordPlannerData(spec, run.problem, *run.planner, record);
     recordTiming(spec, record);

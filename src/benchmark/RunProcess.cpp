@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/RunProcess.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -9,40 +10,58 @@
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "benchmark/PreparedRun.h"
 #include "benchmark/RunChild.h"
+#include "benchmark/SolveLimit.h"
 
 namespace narrows
 {
 namespace
 {
-constexpr double grace = 0.5;           // seconds over the time limit before a planner is killed
 constexpr double warmUpGrace = 10.0;    // seconds, for building besides
 constexpr double untimedLimit = 120.0;  // seconds for stages that are not the planner's; only to end at all
 constexpr std::size_t tailSize = 4096;  // bytes of stdout and stderr that are kept
 constexpr std::size_t largestResult = std::size_t(256) << 20;
 constexpr std::size_t readsAtATime = 64;  // so that a flood on one pipe does not starve the others
 
+/// Wall seconds that a stage may take at most.
 double limitOf(RunStage stage, const RunSpec &spec)
 {
     switch (stage)
     {
         case RunStage::Solving:
-            return spec.timeLimit + grace;
+            return wallLimit(spec.timeLimit) + spec.grace;
         case RunStage::WarmUp:
-            return spec.warmUp + spec.timeLimit + warmUpGrace;
+            return spec.warmUp + wallLimit(spec.timeLimit) + warmUpGrace;
         case RunStage::Building:
         case RunStage::Judging:
             break;
     }
     return untimedLimit;
+}
+
+/// CPU time that all threads of a process have used so far; 0 if it is gone.
+double cpuSecondsOf(pid_t process)
+{
+    clockid_t clock{};
+    timespec used{};
+    if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &used) != 0)
+        return 0.0;
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+RunProcess::Clock::duration wallTime(double seconds)
+{
+    return std::chrono::duration_cast<RunProcess::Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 struct Pipe
@@ -108,7 +127,8 @@ std::string printable(std::string bytes)
 }
 }  // namespace
 
-RunProcess::RunProcess(const RunSpec &spec, std::size_t index) : spec_(spec), index_(index)
+RunProcess::RunProcess(const RunSpec &spec, std::size_t index, std::size_t slot, const CpuList &cpus)
+  : spec_(spec), index_(index), slot_(slot)
 {
     Pipe result, output;
     // What waits in our buffers would be written a second time if the run's process flushed its copy of them.
@@ -118,7 +138,7 @@ RunProcess::RunProcess(const RunSpec &spec, std::size_t index) : spec_(spec), in
     if (pid_ < 0)
         throw std::system_error(errno, std::generic_category(), "fork");
     if (pid_ == 0)
-        liveAsRun(spec, {result.writeEnd, output.writeEnd}, supervisor);
+        liveAsRun(spec, {result.writeEnd, output.writeEnd}, cpus, supervisor);
     setpgid(pid_, pid_);  // as the process itself does: whoever comes first
     result_ = result.takeReadEnd();
     output_ = output.takeReadEnd();
@@ -142,8 +162,17 @@ void RunProcess::enter(RunStage stage)
 {
     stage_ = stage;
     stageStart_ = Clock::now();
-    deadline_ =
-        stageStart_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limitOf(stage, spec_)));
+    stageStartCpu_ = cpuSecondsOf(pid_);
+    lastMoment_ = stageStart_ + wallTime(limitOf(stage, spec_));
+    deadline_ = stage == RunStage::Solving ? nextLook(0.0) : lastMoment_;
+}
+
+RunProcess::Clock::time_point RunProcess::nextLook(double cpuUsed) const
+{
+    constexpr double least = 0.001;  // seconds
+    // With all cores at work for it, the process can be over its limit no earlier than this.
+    const double left = (spec_.timeLimit + spec_.grace - cpuUsed) / std::max(1U, std::thread::hardware_concurrency());
+    return std::min(lastMoment_, Clock::now() + wallTime(std::max(left, least)));
 }
 
 void RunProcess::readAll()
@@ -197,12 +226,18 @@ void RunProcess::kill(Stop why)
     stop_ = why;
     deadline_ = Clock::time_point::max();
     stageSeconds_ = std::chrono::duration<double>(Clock::now() - stageStart_).count();
+    stageCpuSeconds_ = cpuSecondsOf(pid_) - stageStartCpu_;
     ::kill(-pid_, SIGKILL);
 }
 
 void RunProcess::enforceDeadline(Clock::time_point now)
 {
-    if (stop_ == Stop::None && now >= deadline_)
+    if (stop_ != Stop::None || now < deadline_)
+        return;
+    const double cpuUsed = cpuSecondsOf(pid_) - stageStartCpu_;
+    if (stage_ == RunStage::Solving && now < lastMoment_ && cpuUsed < spec_.timeLimit + spec_.grace)
+        deadline_ = nextLook(cpuUsed);
+    else
         kill(Stop::Overdue);
 }
 
@@ -219,6 +254,14 @@ bool RunProcess::hasEnded()
     // A pipe holds no more than a few of these reads.
     readAll();
     return true;
+}
+
+bool RunProcess::wasKilledFromOutside() const
+{
+    if (stop_ != Stop::None || !WIFSIGNALED(waitStatus_))
+        return false;
+    const int number = WTERMSIG(waitStatus_);
+    return number == SIGKILL || number == SIGTERM || number == SIGINT || number == SIGHUP;
 }
 
 Record RunProcess::record() const
@@ -273,6 +316,7 @@ Record RunProcess::fromKill() const
             record.outcome = Outcome::Timeout;
             record.reason = "killed: ignored the limit";
             record.time = stageSeconds_;
+            record.cpuTime = stageCpuSeconds_;
             break;
         case RunStage::WarmUp:
             record.outcome = Outcome::Timeout;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "benchmark/Text.h"
@@ -56,25 +57,37 @@ std::vector<std::string> readValues(const std::string &text)
         throw std::invalid_argument("names '" + *twin + "' twice");
     return values;
 }
+
+/// "maze.generate.links" as an axis of the scenario called maze, "generate.links" as one of all.
+/// \throws std::invalid_argument telling what is wrong
+SweepAxis readAxis(const IniEntry &entry)
+{
+    const std::string word = "generate.";
+    const std::size_t place = entry.key.rfind(word);
+    const bool named = place != std::string::npos && place > 1 && entry.key[place - 1] == '.';
+    if (place == std::string::npos || (place != 0 && !named) || place + word.size() == entry.key.size())
+        throw std::invalid_argument(
+            "unknown key; this section has generate.<parameter of the family> and <scenario>.generate.<parameter>");
+    return {named ? entry.key.substr(0, place - 1) : "", entry.key.substr(place + word.size()), readValues(entry.value),
+            entry.line};
+}
 }  // namespace
 
 std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, const std::string &file,
                                         std::vector<InputFault> &faults)
 {
-    const std::string prefix = "generate.";
     std::vector<SweepAxis> axes;
-    double instances = 1.0;
+    std::map<std::string, double> instances;  // by scenario
     for (const IniEntry &entry : entries)
         try
         {
-            if (entry.key.rfind(prefix, 0) != 0 || entry.key.size() == prefix.size())
-                throw std::invalid_argument("unknown key; this section has generate.<parameter of the family>");
-            const SweepAxis axis{entry.key.substr(prefix.size()), readValues(entry.value), entry.line};
+            const SweepAxis axis = readAxis(entry);
             for (const SweepAxis &other : axes)
-                if (other.parameter == axis.parameter)
+                if (other.parameter == axis.parameter && other.scenario == axis.scenario)
                     throw std::invalid_argument("already given in line " + std::to_string(other.line));
-            instances *= static_cast<double>(axis.values.size());
-            if (instances > mostInstances)
+            double &count = instances.emplace(axis.scenario, 1.0).first->second;
+            count *= static_cast<double>(axis.values.size());
+            if (count > mostInstances)
                 throw std::invalid_argument("makes more than 100000 instances");
             axes.push_back(axis);
         }
@@ -83,6 +96,17 @@ std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, co
             faults.push_back({file, entry.line, "sweep." + entry.key, error.what()});
         }
     return axes;
+}
+
+std::vector<SweepAxis> axesOf(const std::string &scenario, const std::vector<SweepAxis> &axes)
+{
+    std::vector<SweepAxis> own, common;
+    for (const SweepAxis &axis : axes)
+        if (axis.scenario == scenario)
+            own.push_back(axis);
+        else if (axis.scenario.empty())
+            common.push_back(axis);
+    return own.empty() ? common : own;
 }
 
 std::vector<GenerateSettings> combinations(const std::vector<SweepAxis> &axes)

@@ -7,6 +7,7 @@
 
 #include "benchmark/BuildInfo.h"
 #include "benchmark/Commands.h"
+#include "benchmark/Plugins.h"
 #include "scenario/Scenario.h"
 
 namespace
@@ -34,6 +35,12 @@ int main(int argc, char **argv)
     int exitCode = ExitDone;
     program.require_subcommand(1);
     program.set_version_flag("--version", build::version);
+    program.fallthrough();
+    program.add_option("--plugin", "shared library with planners (docs/plugins.md); any number")
+        ->check(CLI::ExistingFile)
+        ->allow_extra_args(false)
+        ->take_all()
+        ->each(loadPlugin);
     addPlanCommand(program, exitCode);
     addVerifyCommand(program, exitCode);
     addBenchCommand(program, exitCode);
@@ -42,6 +49,7 @@ int main(int argc, char **argv)
     addReplayCommand(program, exitCode);
     addMergeCommand(program, exitCode);
     addDoctorCommand(program, exitCode);
+    addSubmitCommands(program, exitCode);
     addGenerateCommand(program, exitCode);
     addReportCommand(program, exitCode);
     addListCommands(program, exitCode);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any bytes as an experiment file: an Experiment or an InputError, never anything else.
+#include "FuzzInput.h"
+#include "benchmark/Experiment.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    try
+    {
+        narrows::parseExperiment(narrows::fuzzText(data, size), NARROWS_SOURCE_DIR "/experiments/fuzzed.cfg");
+    }
+    catch (const narrows::InputError &)
+    {
+    }
+    return 0;
+}
