@@ -9,9 +9,10 @@ endfunction()
 # A library of ours: narrows_add_library(name HEADERS ... SOURCES ... DEPENDS ... PRIVATE_DEPENDS ... PRECOMPILE ...)
 function(narrows_add_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE")
-  add_library(narrows_${name} STATIC ${arg_SOURCES})
+  add_library(narrows_${name} ${arg_SOURCES})  # static, unless BUILD_SHARED_LIBS says otherwise
   add_library(narrows::${name} ALIAS narrows_${name})
-  set_target_properties(narrows_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(narrows_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_sources(narrows_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${arg_HEADERS})
   target_link_libraries(narrows_${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS})
   if(arg_PRECOMPILE)

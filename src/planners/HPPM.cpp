@@ -13,7 +13,9 @@
 namespace narrows
 {
 HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionModel> model)
-  : ModelPlanner(si, "HPPM"), model_(std::move(model)), space_(si->getStateSpace()->as<ArmStateSpace>())
+  : ModelPlanner(si, "HPPM"),
+    model_(std::move(model)),
+    space_(dynamic_cast<const ArmStateSpace *>(si->getStateSpace().get()))
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
@@ -26,6 +28,11 @@ HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionMod
 ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
 {
     checkValidity();
+    if (space_ == nullptr)
+    {
+        reason_ = "space";
+        return ob::PlannerStatus::ABORT;
+    }
     if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
     if (!takeStart())

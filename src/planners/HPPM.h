@@ -48,8 +48,8 @@ public:
 
     /// Besides OMPL's usual statuses: ABORT when everything has been tried in vain (see reason(): `tries` when the
     /// restarts are used up; with search=paper a name of `TraceStatus`, or `collision` when the curve reached the goal
-    /// but the validator refuses it, or `no_points` when the paper has no function for an obstacle). A later call goes
-    /// on with what has not been tried yet.
+    /// but the validator refuses it, or `no_points` when the paper has no function for an obstacle; `space` if the space
+    /// is no ArmStateSpace). A later call goes on with what has not been tried yet.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
     void clear() override;

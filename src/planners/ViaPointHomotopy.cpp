@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include <ompl/base/goals/GoalSampleableRegion.h>
-#include <ompl/geometric/PathSimplifier.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include "kernel/trajectory/StopAndGo.h"
+#include "spaces/OmplVersions.h"
 #include "validity/ArmValidityChecker.h"
 #include "validity/TrajectoryCertificate.h"
 
@@ -136,7 +136,7 @@ void ViaPointHomotopy::shorten(og::PathGeometric &path) const
         return;
     og::PathSimplifier simplifier(si_);
     simplifier.reduceVertices(path);
-    simplifier.shortcutPath(path);
+    shortcutRandomly(simplifier, path);
     simplifier.reduceVertices(path);
     simplifier.collapseCloseVertices(path);
 }

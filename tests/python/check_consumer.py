@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Builds tests/consumer against Narrows as others get it and looks at what its programs print.
+
+    check_consumer.py installed|package BUILD_DIRECTORY SOURCE_DIRECTORY WORK_DIRECTORY
+    check_consumer.py subproject BUILD_DIRECTORY SOURCE_DIRECTORY WORK_DIRECTORY
+
+installed: `cmake --install` into a prefix; package: the .deb that CPack makes, unpacked; subproject: FetchContent, only
+configured (its libraries are those of this build, once more). pkg-config is asked as well where there is a prefix.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+
+def run(*command, **options):
+    print("$", *command, flush=True)
+    return subprocess.run([str(word) for word in command], check=True, **options)
+
+
+def output(*command):
+    return run(*command, capture_output=True, text=True).stdout
+
+
+def prefix_of(kind, build, work):
+    """Where Narrows was put."""
+    if kind == "installed":
+        run("cmake", "--install", build, "--prefix", work / "prefix", "--component", "dev")
+        return work / "prefix"
+    run("cpack", "--config", build / "CPackConfig.cmake", "-G", "DEB", "-B", work / "packages",
+        "-D", "CPACK_COMPONENTS_ALL=dev")
+    package, = (work / "packages").glob("libnarrows-dev_*.deb")
+    fields = output("dpkg-deb", "--field", package)
+    assert "Package: libnarrows-dev" in fields and "libompl-dev" in fields, fields
+    run("dpkg-deb", "-x", package, work / "root")
+    return work / "root" / "usr"
+
+
+def configure(source, work, *definitions):
+    run("cmake", "-S", source / "tests" / "consumer", "-B", work / "build", "-D", "CMAKE_BUILD_TYPE=Release",
+        "-D", f"OWN_ROBOT={source / 'examples' / '08_own_robot.cpp'}", *definitions)
+
+
+def build_and_look(source, work):
+    run("cmake", "--build", work / "build")
+    programs = work / "build"
+    assert output(programs / "kernel_only") == "tip at 1 1\n"
+    scenario = source / "experiments" / "scenarios" / "hppm_case1.yaml"
+    for planner in ("hppm", "rrtconnect", "threader"):
+        assert output(programs / "plan", scenario, planner) == f"{planner}: Exact solution\n"
+    for scene in ("scara", "distance"):
+        assert f"{scene}: solved, least clearance 0.0" in output(programs / "own_robot", scene)
+
+
+def ask_pkg_config(prefix):
+    folder, = prefix.glob("lib/**/pkgconfig")
+    flags = output("pkg-config", "--with-path", folder, "--define-prefix", "--cflags", "--libs", "narrows")
+    assert "-lnarrows_kernel" in flags and "include/narrows" in flags, flags
+
+
+def main(kind, build, source, work):
+    build, source, work = (pathlib.Path(path).resolve() for path in (build, source, work))
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    if kind == "subproject":
+        configure(source, work, "-D", f"NARROWS_SOURCE={source}")
+        return
+    prefix = prefix_of(kind, build, work)
+    configure(source, work, "-D", f"CMAKE_PREFIX_PATH={prefix}")
+    build_and_look(source, work)
+    ask_pkg_config(prefix)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
