@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the runs of a campaign say, with how surely they say it (Markdown; docs/statistics.md).
 
+  infer.py RESULTS.db [--seed 1]
   infer.py RESULTS.db --planner hppm [--against LABEL]... [--group TEXT] [--level 0.95] [--seed 1]
 
+The first decides the hypotheses that the experiment file declared, exactly these, by Holm's method at their level, and says
+how the machine's speed drifted. The second looks around: what it finds is exploratory, to be declared and tested on new scenes.
 Per group of scenes: how often each planner solves, how soon, and how `--planner` compares with each of the others instance
 by instance. Probabilities are adjusted by Holm's method over all comparisons asked for by `--against`, by Benjamini and
 Hochberg's over all there are if none was asked for.
@@ -14,7 +17,7 @@ import sys
 
 import numpy as np
 import report_rows
-from inference import multiplicity, paired, success, survival
+from inference import declared, multiplicity, paired, success, survival, trends
 
 
 def number(value):
@@ -65,6 +68,37 @@ def comparison_rows(found, adjust):
                f"{number(comparison.ratio_high)}) | {number(time_p)} | {number(rank_p)} |")
 
 
+def decision_rows(decisions):
+    yield "| hypothesis | verdict | p (Holm) | instances | what it hangs on |"
+    yield "|---|---|---:|---:|---|"
+    for decision in decisions:
+        claim = decision.crucial
+        what = f"{claim.instances} | `{claim.planner}` and {claim.rival}: {claim.effect}" if claim else "0 | no runs yet"
+        yield (f"| {decision.name}: {decision.statement} | **{decision.verdict}** | {number(decision.adjusted)} | {what} |")
+
+
+def machine(canaries):
+    if len(canaries) < 3:
+        return "Drift of the machine's speed: not watched (`canary`)."
+    drift = trends.drift(canaries["cpu"])
+    same = "always the same checks" if canaries["checks"].nunique() == 1 else "NOT the same checks: another program"
+    return (f"Canary: {drift.runs} runs, {same}; median {number(1e3 * drift.median)} ms, quartiles "
+            f"{number(1e3 * drift.low)} and {number(1e3 * drift.high)}; from first to last its time changed by a factor of "
+            f"{number(drift.change)} ({number(drift.change_low)} to {number(drift.change_high)}).")
+
+
+def declared_report(campaign, seed):
+    if campaign.hypotheses:
+        yield from decision_rows(declared.decide(campaign.hypotheses, campaign.runs, np.random.default_rng(seed)))
+    else:
+        yield "No hypothesis was declared: all there is to see is exploratory (`--planner`)."
+    yield ""
+    if campaign.untouched:
+        yield f"NOT COMPLETE: {campaign.untouched} instances have no runs yet. These verdicts count only once all are done."
+        yield ""
+    yield machine(campaign.canaries)
+
+
 def report(campaign, options):
     runs = campaign.runs.assign(instance=campaign.runs["experiment"])
     groups = [(name, rows) for name, rows in runs.groupby("group", sort=False) if options.group in name]
@@ -83,7 +117,7 @@ def report(campaign, options):
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("database")
-    parser.add_argument("--planner", required=True, help="label of the planner that the others are compared with")
+    parser.add_argument("--planner", help="look around: label of the planner that the others are compared with")
     parser.add_argument("--against", action="append", default=[], help="a declared comparison; may be repeated")
     parser.add_argument("--group", default="", help="only groups of scenes whose name has this in it")
     parser.add_argument("--level", type=float, default=0.95, help="of intervals")
@@ -94,7 +128,7 @@ def main(arguments=None):
     except ValueError as error:
         print(error, file=sys.stderr)
         return 2
-    for line in report(campaign, options):
+    for line in report(campaign, options) if options.planner else declared_report(campaign, options.seed):
         print(line)
     return 0
 

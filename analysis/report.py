@@ -13,8 +13,11 @@ import sys
 from contextlib import closing
 from pathlib import Path
 
+import numpy as np
 import pandas
+from inference import declared
 
+import report_extra
 import report_figures
 import report_motions
 import report_slices
@@ -100,6 +103,7 @@ def collect(path, options):
     """All that the page is told."""
     campaign = read_campaign(path)
     runs = campaign.runs
+    decisions = declared.decide(campaign.hypotheses, runs, np.random.default_rng(1))
     rows, totals, found = by_group(runs), over_all(runs), contests(runs)
     collection, left_out = report_motions.collect(path, runs, options.motion_megabytes)
     with closing(open_database(path)) as database:
@@ -111,8 +115,9 @@ def collect(path, options):
     return {
         "campaign": {"name": campaign.name, "seed": campaign.seed, "engine": campaign.engine, "file": Path(path).name},
         "sessions": campaign.sessions,
-        "verdict": verdict(runs, found, totals),
+        "verdict": verdict(runs, found, totals, decisions, campaign.untouched),
         "contests": [as_row(contest) for contest in found],
+        "tables": report_extra.all_tables(path, runs, decisions),
         "entries": entries(runs),
         "groups": rows,
         "totals": totals,

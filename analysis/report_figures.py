@@ -2,6 +2,7 @@
 """Figures as data: the page draws them (analysis/viewer/src/charts). Each has panels: all groups together, then each."""
 
 import numpy as np
+import pandas
 import report_phase
 from inference import profiles, survival
 
@@ -19,7 +20,19 @@ def panels(runs):
 
 def incidence(runs):
     """Share of runs solved by a CPU time. \\return times and shares, rising"""
-    estimate = survival.kaplan_meier(survival.observations(runs, float(runs["limit_s"].min())))
+    return rises_of(survival.observations(runs, float(runs["limit_s"].min())))
+
+
+def effort(runs):
+    """The same by evaluations: a timeout is censored at those it had made, any other failure never solves."""
+    runs = runs[runs["evaluations"].notna()]
+    ends = runs["solved"] | (runs["outcome"] == survival.CENSORED)
+    times = runs["evaluations"].where(ends, runs["evaluations"].max())
+    return rises_of(pandas.DataFrame({"time": times.clip(lower=1.0), "solved": runs["solved"]}))
+
+
+def rises_of(observations):
+    estimate = survival.kaplan_meier(observations)
     if estimate is None:
         return [], []
     shares = 1.0 - estimate.surv_prob
@@ -33,13 +46,12 @@ def short(values):
     return [float(f"{value:.4g}") for value in values]
 
 
-def curves(runs):
+def curves(runs, of, end):
     series = []
     for planner, part in runs.groupby("planner", sort=False):
-        x, y = incidence(part)
+        x, y = of(part)
         series.append({"name": planner, "ours": bool(part["ours"].iloc[0]), "x": x, "y": y})
-    end = float(runs["limit_s"].max())
-    return {"series": series, "end": end}
+    return {"series": series, "end": float(end)}
 
 
 def profile(runs):
@@ -107,7 +119,16 @@ def all_figures(runs, rows, totals, reasons):
             "Kaplan and Meier's estimate: timeouts are censored, every other end without a path counts as never.",
             "CPU seconds",
             "share of runs",
-            named(lambda _, part: curves(part)),
+            named(lambda _, part: curves(part, incidence, part["limit_s"].max())),
+        ),
+        figure(
+            "effort",
+            "Solved by a number of evaluations",
+            "steps",
+            "The same on an axis that no machine has a part in: configurations examined, and evaluations of a homotopy.",
+            "evaluations",
+            "share of runs",
+            named(lambda _, part: curves(part, effort, np.nanmax([1.0, *part["evaluations"]]))),
         ),
         figure(
             "profile",
@@ -142,6 +163,22 @@ def all_figures(runs, rows, totals, reasons):
             [{"name": "all groups", **heat(rows)}],
         ),
     ]
+    leads = report_phase.lead_panels(runs)
+    if leads:
+        figures.insert(
+            2,
+            figure(
+                "lead",
+                "Where sampling planners are first",
+                "phase",
+                "Share of scenes in which the fastest sampling planner has its path before the fastest planner that sees the "
+                "model; scenes that nobody solved are left out. The line is where a logistic model gives each kind half, with "
+                "its 95 % band: to its right sampling is ahead.",
+                "half width",
+                "links",
+                leads,
+            ),
+        )
     phases = report_phase.panels(runs)[:PANELS]
     if phases:
         figures.insert(

@@ -5,6 +5,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
 
 MANY = 40  # lines of a legend or axis that still fit on one page
 SPECIAL = {"_": r"\_", "%": r"\%", "&": r"\&", "#": r"\#", "$": r"\$", "{": r"\{", "}": r"\}", "*": "$^*$"}
@@ -85,7 +86,32 @@ def draw_intervals(figure, panel):
     return page
 
 
-DRAW = {"steps": draw_steps, "intervals": draw_intervals}
+def draw_phase(figure, panel):
+    """Shares as squares, with the line and its band."""
+    widths, rows = np.array(panel["columns"]), np.arange(len(panel["rows"]))
+    page, axes = plt.subplots(figsize=(4.2, 0.9 + 0.42 * len(rows)), layout="constrained")
+    middle = np.sqrt(widths[1:] * widths[:-1])
+    edges = [widths[0] ** 2 / middle[0], *middle, widths[-1] ** 2 / middle[-1]]
+    shares = np.array([[np.nan if share is None else share for share in row] for row in panel["shares"]])
+    axes.pcolormesh(edges, np.arange(len(rows) + 1) - 0.5, shares, cmap="RdYlGn", vmin=0, vmax=1, alpha=0.7)
+    if panel["line"]:
+        middle, low, high = np.clip(np.array(panel["line"]).T, edges[0], edges[-1])
+        axes.fill_betweenx(rows, low, high, color="black", alpha=0.2, linewidth=0)
+        axes.plot(middle, rows, color="black")
+    for row, column in np.argwhere(np.isfinite(shares)):
+        axes.text(widths[column], row, f"{100 * shares[row, column]:.0f}", ha="center", va="center", fontsize=7)
+    axes.set(xscale="log", xlabel=figure["x"], ylabel=figure["y"])
+    axes.set_yticks(rows, [links or "any" for links in panel["rows"]])
+    axes.set_title(panel["name"], fontsize=8)
+    axes.invert_yaxis()
+    return page
+
+
+def cell_text(cell):
+    return escaped(cell) if isinstance(cell, str) else brief(cell)
+
+
+DRAW = {"phase": draw_phase, "steps": draw_steps, "intervals": draw_intervals}
 
 
 def write_paper(data, folder):
@@ -94,13 +120,18 @@ def write_paper(data, folder):
     texts = {"all_groups.tex": summary(data["totals"]), "contests.tex": contests(data["contests"])}
     for group in dict.fromkeys(row["group"] for row in data["groups"]):
         texts[f"group_{group}.tex"] = summary([row for row in data["groups"] if row["group"] == group])
+    for one in data["tables"]:
+        heads = [escaped(column["title"]) for column in one["columns"]]
+        texts[f"{one['id']}.tex"] = table(heads, [[cell_text(cell) for cell in row] for row in one["rows"]])
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
     written = [folder / name for name in texts]
     for figure in data["figures"]:
-        if figure["kind"] in DRAW:
-            page = DRAW[figure["kind"]](figure, figure["panels"][0])
-            written.append(folder / f"{figure['id']}.pdf")
+        for number, panel in enumerate(figure["panels"] if figure["kind"] == "phase" else figure["panels"][:1]):
+            if figure["kind"] not in DRAW:
+                continue
+            page = DRAW[figure["kind"]](figure, panel)
+            written.append(folder / f"{figure['id']}{f'_{number + 1}' if number else ''}.pdf")
             page.savefig(written[-1], metadata={"CreationDate": None})
             plt.close(page)
     return written

@@ -74,3 +74,26 @@ def panels(runs):
         for (family, planner), part in placed(runs).groupby(["family", "planner"], sort=False)
     ]
     return [one for one in made if one is not None]
+
+
+def fastest(runs):
+    """Least CPU seconds to a path, by instance; infinite where no planner has one."""
+    return runs.groupby("experiment")["score"].min()
+
+
+def leads(runs):
+    """A row per instance that both kinds of planners ran on and either solved: `solved` says that a sampling planner was
+    first. The fastest of each kind stands for it, which favours the kind with more entries."""
+    runs = placed(runs[~runs["prescribed"]])
+    ours, theirs = fastest(runs[runs["ours"]]), fastest(runs[~runs["ours"]])
+    both = pandas.DataFrame({"ours": ours, "theirs": theirs}).dropna()
+    both = both[np.isfinite(both.min(axis=1))]
+    places = runs.drop_duplicates("experiment").set_index("experiment")[["family", "half_width", "links", "instance"]]
+    return both.assign(solved=both["theirs"] < both["ours"]).join(places, how="inner")
+
+
+def lead_panels(runs):
+    """A panel per family: the share of scenes that a sampling planner is first in."""
+    found = leads(runs)
+    made = [panel(family, part) for family, part in found.groupby("family", sort=False)] if len(found) else []
+    return [one for one in made if one is not None]

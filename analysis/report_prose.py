@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The verdict in words. Every number in it comes from the tables."""
 
+import report_phase
 from inference import success
 from report_verdict import count, headline
 
@@ -43,7 +44,7 @@ def side(contest, name):
     """A planner and how it did: "hppm (100.0 %, 0.3 ms)"."""
     cpu = getattr(contest, name + "_cpu")
     if cpu is None:
-        return f"{getattr(contest, name)} (none solved)"
+        return f"{KIND[name]} (none solved)"  # then none of them: the best had no path
     return f"{getattr(contest, name)} ({percent(getattr(contest, name + '_solved'))}, {brief(1000.0 * cpu)}\u00a0ms)"
 
 
@@ -95,11 +96,47 @@ def resolution(totals):
     )
 
 
-def verdict(runs, found, totals):
+def border(family, rows, line):
+    """Up to where sampling is ahead. \\param line (half width, low, high) for each number of links"""
+    parts = [
+        f"{brief(width)} ({brief(low)} to {brief(high)}) with {links} links"
+        for links, (width, low, high) in zip(rows, line)
+    ]
+    return f"In {family} a sampling planner is first in most scenes at half widths above " + "; ".join(parts) + "."
+
+
+def regions(panels):
+    """Sentences on where which kind of planner is first. \\param panels of report_phase.lead_panels"""
+    for panel in panels:
+        if panel["line"]:
+            yield border(panel["name"], panel["rows"], panel["line"])
+            continue
+        cells = [cell for pair in zip(panel["shares"], panel["runs"]) for cell in zip(*pair) if cell[0] is not None]
+        share = sum(share * runs for share, runs in cells) / sum(runs for _, runs in cells)
+        yield f"In {panel['name']} a sampling planner is first in {percent(share)} of scenes, without a clear border in width."
+
+
+def promised(decisions):
+    """What became of the hypotheses that were declared."""
+    if not decisions:
+        return ""
+    count = {verdict: sum(decision.verdict == verdict for decision in decisions) for verdict in ("confirmed", "refuted")}
+    rest = len(decisions) - sum(count.values())
+    return (
+        f"Of {counted(len(decisions), 'hypothesis', 'hypotheses')} declared before the first run {count['confirmed']} came out "
+        f"confirmed, {count['refuted']} refuted and {rest} undecided."
+    )
+
+
+def verdict(runs, found, totals, decisions=(), untouched=0):
     """\\return the headline the paragraph's sentences, and what to bear in mind with it"""
-    sentences = [score(found), clearest(found, "ours"), clearest(found, "theirs")] if found else []
-    sentences += [overall(totals), sizes(runs)]
+    sentences = [promised(decisions)]
+    sentences += [score(found), clearest(found, "ours"), clearest(found, "theirs")] if found else []
+    sentences += [*regions(report_phase.lead_panels(runs)), overall(totals), sizes(runs)]
     notes = [resolution(totals)]
+    if untouched:
+        missing = counted(untouched, "instance has", "instances have")
+        notes.insert(0, f"The campaign is not complete: {missing} no runs yet. Verdicts count only once all are done.")
     if runs["prescribed"].any():
         notes.append("Entries marked * use the recipe that the scenario prescribes; they take no part in the verdict.")
     kept = {"sentences": sentences, "notes": notes}

@@ -73,3 +73,28 @@ def cost_slope(cost, half_width, instance, level=0.95):
     fit = sm.OLS(np.log10(cost[solved]), sm.add_constant(widths)).fit(cov_type="cluster", cov_kwds={"groups": groups})
     low, high = fit.conf_int(alpha=1.0 - level)[1]
     return Slope(float(fit.params[1]), float(low), float(high), int(solved.sum()), int((~solved).sum()))
+
+
+@dataclass
+class Drift:
+    """Of the machine's speed over a campaign, by runs that are all the same."""
+
+    runs: int
+    median: float  # CPU seconds
+    low: float  # quartiles
+    high: float
+    change: float  # factor by which the time changed from the first to the last run
+    change_low: float
+    change_high: float
+
+
+def drift(times, level=0.95):
+    """Theil and Sen's line through the logarithms of the times, in order: the median of the slopes between all pairs.
+
+    \\param times positive, at least three
+    """
+    logs = np.log(np.asarray(times, float))
+    low, median, high = np.percentile(times, (25, 50, 75))
+    slope, _, slope_low, slope_high = stats.theilslopes(logs, alpha=level)
+    changes = np.exp(np.array([slope, slope_low, slope_high]) * (len(logs) - 1))
+    return Drift(len(logs), float(median), float(low), float(high), *(float(change) for change in changes))

@@ -28,10 +28,17 @@ time_limit = 2
 run_count = 3
 seed = 1
 save_paths = all
+canary = 10
 [planner]
 hppm =
 rrtconnect =
 bkpiece1 =
+[hypothesis]
+all = RRT-Connect solves everything
+all.planner = rrtconnect
+all.quantity = success
+all.direction = more
+all.bound = 0.01
 """
 RUNS = 3 * 3 * 3
 ENTRIES = ["bkpiece1", "hppm", "hppm *", "rrtconnect"]  # one scenario prescribes a recipe
@@ -86,7 +93,7 @@ def check_verdict(browser):
         in browser.script("return document.querySelector('#verdict').innerText"),
         "sizes",
     )
-    expect(browser.script("return document.querySelectorAll('#figures svg').length") == 5, "five figures")
+    expect(browser.script("return document.querySelectorAll('#figures svg').length") == 6, "six figures")
     expect(browser.script("return document.querySelectorAll('#figures svg .curve').length") >= 6, "curves")
 
 
@@ -184,6 +191,17 @@ def saved(browser, selector):
     return browser.wait("return window.savedText")
 
 
+def check_hypotheses(browser):
+    """Declared in the experiment file, decided on the page: three of three instances at a bound of a hundredth."""
+    code = """return [...document.querySelectorAll('#tables table')].map((table) =>
+        [...table.querySelectorAll('tbody tr:first-child td')].map((cell) => cell.textContent))"""
+    first, quality = browser.script(code)[:2]
+    expect(first[:3] == ["all", "RRT-Connect solves everything", "confirmed"], first)
+    expect(first[4] == "3" and "3 of 3 solved" in first[5], first)
+    expect(quality[0] in ENTRIES and len(quality) == 10, quality)
+    expect("declared before the first run 1 came out confirmed" in browser.script("return document.body.innerText"), "verdict")
+
+
 def check_downloads(browser):
     picture = ElementTree.fromstring(saved(browser, "#figure-time .bar button:nth-of-type(1)"))
     expect(picture.tag == "{http://www.w3.org/2000/svg}svg", f"not a picture: {picture.tag}")
@@ -220,7 +238,7 @@ def check_page(page, out):
     with Browser() as browser:
         browser.size(1280, 900)
         browser.open(page.as_uri())
-        browser.wait("return document.querySelectorAll('#figures svg').length === 5")
+        browser.wait("return document.querySelectorAll('#figures svg').length === 6")
         check_verdict(browser)
         choose(browser, "Scenario", "gap-small")
         check_playing(browser)
@@ -228,6 +246,7 @@ def check_page(page, out):
         browser.screenshot(out / "plane.png")
         check_space(browser, out)
         check_table(browser)
+        check_hypotheses(browser)
         check_downloads(browser)
         check_themes(browser, out)
         complaints = browser.complaints()
@@ -256,10 +275,11 @@ def check_logs(out):
 
 def check_paper(out):
     paper = out / "report" / "paper"
-    for name in ("success.pdf", "time.pdf", "profile.pdf"):
+    for name in ("success.pdf", "time.pdf", "effort.pdf", "profile.pdf"):
         expect((paper / name).read_bytes().startswith(b"%PDF"), name)
     rows = (paper / "all_groups.tex").read_text().splitlines()
     expect(sum(line.endswith(r"\\") for line in rows) == 1 + len(ENTRIES), f"a line for every entry: {rows}")
+    expect("confirmed" in (paper / "hypotheses.tex").read_text(), "the hypothesis in LaTeX")
 
 
 def main(program, scenarios, out):

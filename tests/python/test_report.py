@@ -3,6 +3,7 @@ import json
 import math
 import sqlite3
 
+import compact
 import kinematics_cases
 import numpy as np
 import pandas
@@ -26,7 +27,8 @@ CREATE TABLE environments (id INTEGER PRIMARY KEY, cpu TEXT);
 CREATE TABLE paths (runid INTEGER PRIMARY KEY, angles TEXT);
 CREATE TABLE runs (id INTEGER PRIMARY KEY, experimentid INTEGER, plannerid INTEGER, run INTEGER, seed INTEGER, outcome TEXT,
   reason TEXT, solved INTEGER, uses_model INTEGER, prescribed INTEGER, cpu_time REAL, evaluations INTEGER,
-  state_checks INTEGER, solution_length REAL, solution_clearance REAL, recipe TEXT);
+  state_checks INTEGER, solution_length REAL, solution_clearance REAL, recipe TEXT, peak_memory_kb REAL,
+  solution_smoothness REAL, max_joint_step REAL);
 """
 SCENARIO = """
 name: {name}
@@ -80,8 +82,11 @@ def database(tmp_path):
                 2.0,
                 0.1,
                 "{}",
+                100.0,
+                0.5,
+                0.4,
             )
-            connection.execute("INSERT INTO runs VALUES (" + ", ".join("?" * 16) + ")", values)
+            connection.execute("INSERT INTO runs VALUES (" + ", ".join("?" * 19) + ")", values)
             if cpu is not None:
                 connection.execute("INSERT INTO paths VALUES (?, '[[0, 0], [0.4, 0.5], [1, 1]]')", (count,))
         connection.commit()
@@ -115,7 +120,7 @@ def test_the_verdict_falls_the_other_way_too(database):
     runs = report_rows.read_campaign(file).runs
     assert report_verdict.headline([contest], runs) == "Sampling planners are ahead everywhere"
     text = " ".join(report_prose.verdict(runs, [contest], report_tables.over_all(runs))["sentences"])
-    assert "hppm (none solved)" in text and "16 runs of 2 planner entries on 8 instances in 1 group: 8 ended" in text
+    assert "planners that see the model (none solved)" in text and "16 runs of 2 planner entries on 8 instances in 1 group: 8 ended" in text
 
 
 def test_five_pairs_are_never_enough_alone_but_runs_may_be(database):
@@ -288,3 +293,77 @@ def test_the_pages_kinematics_are_tested_against_these_poses():
     for old, new in zip(stored, fresh):
         assert old["robot"] == new["robot"] and old["row"] == new["row"]
         assert np.allclose(old["segments"], new["segments"], rtol=0.0, atol=1e-12)
+
+
+def test_leads_say_where_sampling_is_first(database):
+    rows = []
+    for width, ours, theirs in (("1e-3", 0.1, None), ("1e-2", 0.1, 0.2), ("0.1", 0.1, 0.01)):
+        for links in (3, 6):
+            for i in range(4):
+                name = f"slab_links{links}_half_width{width}"
+                rows.append((name, f"{name}_seed{i}", "hppm", True, ours))
+                rows.append((name, f"{name}_seed{i}", "rrt", False, 0.2 if i == 0 and width == "0.1" else theirs))
+    rows += [("slab_links3_half_width1e-3", "slab_links3_half_width1e-3_seed9", name, name == "hppm", None) for name in ("hppm", "rrt")]
+    runs = report_rows.read_campaign(database(rows)).runs
+    (panel,) = report_phase.lead_panels(runs)
+    assert (panel["name"], panel["rows"], panel["columns"]) == ("slab", [3, 6], [1e-3, 1e-2, 0.1])
+    assert panel["shares"] == [[0.0, 0.0, 0.75]] * 2
+    assert panel["runs"] == [[4, 4, 4]] * 2  # what nobody solved says nothing
+
+
+def test_the_verdict_names_the_border():
+    line = [[0.04, 0.03, 0.05], [0.02, 0.01, 0.03]]
+    panels = [
+        {"name": "slab", "rows": [3, 6], "line": line, "shares": [], "runs": []},
+        {"name": "tube", "rows": [4], "line": [], "shares": [[0.0, 0.5, None]], "runs": [[10, 30, 0]]},
+    ]
+    assert list(report_prose.regions(panels)) == [
+        "In slab a sampling planner is first in most scenes at half widths above 0.04 (0.03 to 0.05) with 3 links; "
+        "0.02 (0.01 to 0.03) with 6 links.",
+        "In tube a sampling planner is first in 37.5\u00a0% of scenes, without a clear border in width.",
+    ]
+
+
+def test_effort_is_counted_in_evaluations(database):
+    runs = report_rows.read_campaign(database([("a", "a", "rrt", False, cpu) for cpu in (0.1, 0.2, 0.3, None)])).runs
+    runs["evaluations"] = [10.0, 40.0, 20.0, 30.0]
+    # The timeout had made 30 when it ended: it is not counted at 40.
+    assert report_figures.effort(runs) == ([10.0, 20.0, 40.0], pytest.approx([0.25, 0.5, 1.0]))
+    runs["outcome"] = ["solved"] * 3 + ["no_solution"]
+    assert report_figures.effort(runs)[1] == pytest.approx([0.25, 0.5, 0.75])
+
+
+def test_tables_of_the_page_name_their_columns(database):
+    rows = []
+    for width, cpu in (("1e-3", 0.4), ("1e-2", 0.04)):
+        for i in range(3):
+            name = f"slab_links3_half_width{width}"
+            rows.append((name, f"{name}_seed{i}", "rrt", False, cpu))
+    file = str(database(rows))
+    tables = {table["id"]: table for table in report.collect(file, options())["tables"]}
+    assert set(tables) == {"slopes", "quality"}
+    by_time = tables["slopes"]["rows"][0]
+    assert by_time[:3] == ["slab", "rrt", "CPU time"] and by_time[3] == pytest.approx(-1.0, abs=1e-9)
+    assert by_time[6:] == [6, 0]
+    (quality,) = tables["quality"]["rows"]
+    assert quality[:3] == ["rrt", 6, 2.0] and len(quality) == len(tables["quality"]["columns"])
+
+
+def test_a_compact_database_keeps_every_row_and_one_scenes_paths(database, tmp_path, capsys):
+    rows = paired("a", [0.001] * 6, [0.002] * 6) + paired("b", [0.001] * 2, [None] * 2)
+    source, target = str(database(rows)), tmp_path / "small.db"
+    assert compact.compact(source, target) == (3, 14)  # a0 by both, b0 by the one that solved it
+    before, after = (report_rows.read_campaign(str(file)).runs for file in (source, target))
+    assert before.equals(after)
+    assert compact.main([source, str(target)]) == 1
+    assert compact.main([str(tmp_path / "absent.db"), str(tmp_path / "x.db")]) == 1
+    assert "exists already" in capsys.readouterr().err
+
+
+def test_a_campaign_that_is_not_complete_says_so(database):
+    file = str(database(paired("a", [0.001] * 6, [0.002] * 6)))
+    assert report_rows.read_campaign(file).untouched == 0
+    with sqlite3.connect(file) as connection:
+        connection.execute("DELETE FROM runs WHERE experimentid = 6")
+    data = report.collect(file, options())
+    assert data["verdict"]["notes"][0].startswith("The campaign is not complete: 1 instance has no runs yet.")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the page is told: the JSON that analysis/report.py embeds. null is "not measured".
 
+import type { Value } from "./table";
+
 export type Vector = number[];
 
 export interface PlanarRobot {
@@ -206,7 +208,16 @@ export type Figure =
   | (FigureHead & { kind: "phase"; panels: PhasePanel[] })
   | (FigureHead & { kind: "stacked"; panels: StackedPanel[] });
 
+export interface NamedTable {
+  id: string;
+  title: string;
+  note: string;
+  columns: { title: string; hint?: string }[];
+  rows: Value[][];
+}
+
 export interface Report {
+  tables: NamedTable[]; // hypotheses, slopes, quality: whatever the campaign has
   campaign: { name: string; seed: number; engine: string; file: string };
   sessions: Record<string, string | number | null>[];
   verdict: { headline: string; sentences: string[]; notes: string[] };

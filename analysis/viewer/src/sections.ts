@@ -5,9 +5,9 @@ import { styles } from "./charts/colours";
 import { figureCard } from "./charts/figure";
 import { h } from "./dom";
 import { brief, duration, percent } from "./format";
-import type { Contest, Report, SummaryRow } from "./model";
+import type { Contest, NamedTable, Report, SummaryRow } from "./model";
 import { type Catalogue, factsOf, type RunFacts } from "./motion/catalogue";
-import { type Column, Table } from "./table";
+import { type Column, Table, type Value } from "./table";
 
 export function verdictSection(report: Report): HTMLElement {
   const { headline, sentences, notes } = report.verdict;
@@ -92,8 +92,29 @@ const ENTRY: Column<Report["entries"][number]>[] = [
   { title: "Settings", value: (e) => e.settings },
 ];
 
+/** A table that says itself what its columns are. */
+function namedTable(table: NamedTable): HTMLElement[] {
+  const columns = table.columns.map(
+    ({ title, hint }, place): Column<Value[]> => ({
+      title,
+      hint,
+      value: (row) => row[place],
+      show: (row) => {
+        const cell = row[place];
+        return typeof cell === "string" ? cell : brief(cell);
+      },
+    }),
+  );
+  return [
+    h("h3", {}, table.title),
+    ...(table.note ? [h("p", { class: "note" }, table.note)] : []),
+    new Table(table.id, table.rows, columns).element,
+  ];
+}
+
 export function tablesSection(report: Report): HTMLElement {
   const section = h("section", { id: "tables" }, h("h2", {}, "Tables"));
+  for (const table of report.tables) section.append(...namedTable(table));
   if (report.contests.length) {
     section.append(
       h("h3", {}, "Best against best, by group"),
