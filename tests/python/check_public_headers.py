@@ -16,7 +16,7 @@ SYSTEM = ("eigen3", "ompl")
 
 def flags():
     """Where Debian puts what the headers may include."""
-    return subprocess.run(["pkg-config", "--cflags", *SYSTEM], check=True, capture_output=True,
+    return subprocess.run(["pkg-config", "--cflags-only-I", *SYSTEM], check=True, capture_output=True,
                           text=True).stdout.replace("-I", "-isystem").split()
 
 
