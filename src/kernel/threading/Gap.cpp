@@ -31,8 +31,12 @@ std::optional<Gap> gapBetween(const ConvexShape &one, const ConvexShape &other, 
     if (!(halfWidth > 0.0) || halfWidth >= widest)
         return std::nullopt;
     const Vector2d along(-nearest.direction.y(), nearest.direction.x());
+    const auto extent = [&](const ConvexShape &shape)
+    {
+        return std::max(breadth(shape, along), breadth(shape, nearest.direction));
+    };
     return Gap{0.5 * (nearest.first + nearest.second), nearest.direction, halfWidth,
-               0.5 * std::min(breadth(one, along), breadth(other, along))};
+               0.5 * std::min(extent(one), extent(other))};
 }
 }  // namespace
 

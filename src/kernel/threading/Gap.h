@@ -13,7 +13,7 @@ struct Gap
     Eigen::Vector2d middle;  ///< half way between the nearest points
     Eigen::Vector2d axis;    ///< unit vector across the gap, from one obstacle to the other
     double halfWidth;        ///< half the distance, less the links' radius; > 0
-    double size;             ///< half the breadth, across `axis`, of the lesser obstacle; of circles the radius
+    double size;             ///< half the greater extent, along or across `axis`, of the lesser obstacle
 };
 
 /// All gaps between convex obstacles or convex parts of obstacles, in the order of their pairs.
