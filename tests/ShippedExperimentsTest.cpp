@@ -48,6 +48,6 @@ TEST_P(ShippedExperiment, IsReadWithAllItsScenes)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedExperiment, testing::ValuesIn(shippedExperiments()),
-                         [](const auto &info) { return info.param; });
+                         [](const auto &test) { return test.param; });
 }  // namespace
 }  // namespace narrows
