@@ -7,8 +7,8 @@
 
 namespace narrows
 {
-/// Joint space of any robot: a configuration is what the state says. For whoever brings a robot of his own; our arms
-/// have spaces that know more.
+/// Joint space of any robot: a configuration is what the state says. For whoever brings a robot of his own, and for
+/// spaces that know more of theirs.
 class JointStateSpace : public ArmStateSpace
 {
 public:

@@ -77,7 +77,7 @@ SpatialArmStateSpace::SpatialArmStateSpace(const SpatialArm &arm, FreeJoints fre
 
 SpatialArmStateSpace::SpatialArmStateSpace(const SpatialArm &arm, std::vector<UniversalRange> universal,
                                            FreeJoints freeJoints)
-  : ArmStateSpace(jointsOf(arm, universal, freeJoints)), arm_(arm), universal_(std::move(universal))
+  : JointStateSpace(jointsOf(arm, universal, freeJoints)), arm_(arm), universal_(std::move(universal))
 {
     setName("SpatialArm" + getName());
 }
@@ -97,27 +97,6 @@ Eigen::Vector3d SpatialArmStateSpace::tip(const ob::State *state, int link) cons
     toConfiguration(state, q);
     arm_.place(q, placement);
     return placement.points[2 * link + 1];
-}
-
-void SpatialArmStateSpace::toConfiguration(const ob::State *state, Eigen::VectorXd &q) const
-{
-    q = Eigen::Map<const Eigen::VectorXd>(state->as<StateType>()->values, dimension_);
-}
-
-void SpatialArmStateSpace::fromConfiguration(ConfigurationRef q, ob::State *state) const
-{
-    double *values = state->as<StateType>()->values;
-    for (unsigned int i = 0; i < dimension_; ++i)
-        values[i] = wrapped(i, q[i]);
-}
-
-void SpatialArmStateSpace::displacement(const ob::State *from, const ob::State *to, Eigen::VectorXd &delta) const
-{
-    const double *a = from->as<StateType>()->values;
-    const double *b = to->as<StateType>()->values;
-    delta.resize(dimension_);
-    for (unsigned int i = 0; i < dimension_; ++i)
-        delta[i] = jointDifference(i, a[i], b[i]);
 }
 
 void SpatialArmStateSpace::enforceBounds(ob::State *state) const

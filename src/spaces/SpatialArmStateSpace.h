@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "spaces/ArmStateSpace.h"
+#include "spaces/JointStateSpace.h"
 #include "spaces/UniversalRange.h"
 
 namespace narrows
@@ -11,7 +11,7 @@ namespace narrows
 ///
 /// All limits together are a convex set: the straight motion between two states within them stays within them. Samples
 /// are uniform in it. The default projection is the tip of the last link.
-class SpatialArmStateSpace final : public ArmStateSpace
+class SpatialArmStateSpace final : public JointStateSpace
 {
 public:
     static constexpr unsigned int tipDimension = 3;
@@ -25,10 +25,6 @@ public:
     int lastLink() const;
     /// Where the end of a link is.
     Eigen::Vector3d tip(const ob::State *state, int link) const;
-
-    void toConfiguration(const ob::State *state, Eigen::VectorXd &q) const override;
-    void fromConfiguration(ConfigurationRef q, ob::State *state) const override;
-    void displacement(const ob::State *from, const ob::State *to, Eigen::VectorXd &delta) const override;
 
     void enforceBounds(ob::State *state) const override;
     bool satisfiesBounds(const ob::State *state) const override;

@@ -38,5 +38,15 @@ public:
     /// F by rows, and its derivative by the configuration, one column per row.
     virtual void evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,
                           Eigen::MatrixXd &transposedJacobian) const = 0;
+
+protected:
+    /// How many rows F has.
+    static Eigen::Index rowCount(const std::vector<GapCrossing> &crossings)
+    {
+        Eigen::Index rows = 0;
+        for (const GapCrossing &crossing : crossings)
+            rows += crossing.square ? 2 : 1;
+        return rows;
+    }
 };
 }  // namespace narrows

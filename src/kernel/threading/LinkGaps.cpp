@@ -131,9 +131,7 @@ void LinkGaps::evaluateMoving(const Configuration &q, const GapCrossing &crossin
 void LinkGaps::evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,
                         Eigen::MatrixXd &transposedJacobian) const
 {
-    Eigen::Index rows = 0;
-    for (const GapCrossing &crossing : crossings)
-        rows += crossing.square ? 2 : 1;
+    const Eigen::Index rows = rowCount(crossings);
     values.resize(rows);
     transposedJacobian.resize(arm_.dimension(), rows);
     Eigen::VectorXd fixedValues;

@@ -74,9 +74,7 @@ void MidGap::crossings(const std::vector<Vector2d> &points, double lengthening, 
 void MidGap::evaluate(const std::vector<Vector2d> &points, const std::vector<GapCrossing> &crossings,
                       Eigen::VectorXd &values, Eigen::MatrixXd &transposedJacobian) const
 {
-    Eigen::Index rows = 0;
-    for (const GapCrossing &crossing : crossings)
-        rows += crossing.square ? 2 : 1;
+    const Eigen::Index rows = rowCount(crossings);
     values.resize(rows);
     transposedJacobian.setZero(arm_.dimension(), rows);
     Eigen::Index row = 0;

@@ -163,9 +163,7 @@ void SpatialMidGap::evaluate(const Configuration &q, const std::vector<GapCrossi
 {
     const SpatialArm::Placement &placement = placed(arm_, q);
     Gatherer gatherer(arm_, placement);
-    Eigen::Index rows = 0;
-    for (const GapCrossing &crossing : crossings)
-        rows += crossing.square ? 2 : 1;
+    const Eigen::Index rows = rowCount(crossings);
     values.resize(rows);
     transposedJacobian.resize(arm_.dimension(), rows);
     Eigen::Index row = 0;
