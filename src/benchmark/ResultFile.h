@@ -19,6 +19,12 @@ namespace narrows
 /// \throws InputError about the file, always
 [[noreturn]] void refuse(const std::string &path, const std::string &reason);
 
+/// Foreign keys, and patience with others who write.
+void setUp(SQLite::Database &database);
+
+/// All tables of an empty database, and the marks by which it is known as ours.
+void makeTables(SQLite::Database &database);
+
 /// Opens a file that must be a sound database of ours.
 /// \throws InputError if it is not
 std::unique_ptr<SQLite::Database> openOurs(const std::string &path, int mode);
