@@ -17,19 +17,6 @@ namespace
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-using Rows = std::vector<Eigen::VectorXd>;
-
-const double pi = std::acos(-1.0);
-const double infinity = std::numeric_limits<double>::infinity();
-
-Rows rows(const std::vector<std::vector<double>> &values)
-{
-    Rows path;
-    for (const std::vector<double> &row : values)
-        path.push_back(Eigen::Map<const Eigen::VectorXd>(row.data(), static_cast<Eigen::Index>(row.size())));
-    return path;
-}
-
 /// Judges a path whose ends are what was asked for.
 Verdict judge(const SpatialModel &model, const Rows &path, double tolerance = 1e-6)
 {

@@ -17,19 +17,6 @@ namespace
 {
 using Eigen::Vector2d;
 
-using Rows = std::vector<Eigen::VectorXd>;
-
-const double pi = std::acos(-1.0);
-const double infinity = std::numeric_limits<double>::infinity();
-
-Rows rows(const std::vector<std::vector<double>> &values)
-{
-    Rows path;
-    for (const std::vector<double> &row : values)
-        path.push_back(anglesOf(row));
-    return path;
-}
-
 PlanarTask between(const Rows &path)
 {
     return {path.front(), path.back(), {}};
