@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What one question to a checker costs. The paper's three cases: states spread over the whole joint space or crowded
 // near the goal, where the narrow passages are (arguments: case, 0 = uniform / 1 = near the goal). The last motion into
-// the corridor of case 1, while it closes (argument: exponent of the clearance 10^-n). armCheck asks without OMPL in
-// between: the checkers, and the scalar one that the analytic checker must agree with.
+// the corridor of case 1, while it closes (argument: exponent of the clearance 10^-n). armCheck and armBatch ask
+// without OMPL in between, one by one and many at once: the checkers, and the scalar one that the analytic one must
+// agree with.
+#include <algorithm>
+
 #include <benchmark/benchmark.h>
+#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
@@ -21,9 +25,9 @@ constexpr int stateCount = 1024;
 /// The same questions in every run.
 struct Question
 {
-    Question(const benchmark::State &run, const std::string &checker)
+    Question(const benchmark::State &run, const std::string &checker, const std::string &motion = "continuous")
       : scenario(paperCase(static_cast<int>(run.range(0)))),
-        problem(makeProblem(scenario, {checker, "continuous", "absolute"}))
+        problem(makeProblem(scenario, {checker, motion, "absolute"}))
     {
         ompl::msg::setLogLevel(ompl::msg::LOG_NONE);  // setSeed() says that it comes late
         ompl::RNG::setSeed(1);
@@ -63,9 +67,8 @@ void stateCheck(benchmark::State &run, const std::string &checker)
 }
 
 /// Short motions between neighbouring samples, as a tree asks for them.
-void motionCheck(benchmark::State &run, const std::string &checker)
+void askAboutMotions(benchmark::State &run, const Question &question)
 {
-    const Question question(run, checker);
     ob::State *to = question.problem.si->allocState();
     std::size_t i = 0;
     const auto before = question.problem.counts->placements.load();
@@ -79,6 +82,20 @@ void motionCheck(benchmark::State &run, const std::string &checker)
     run.counters["placements"] = benchmark::Counter(
         static_cast<double>(question.problem.counts->placements.load() - before), benchmark::Counter::kAvgIterations);
     question.problem.si->freeState(to);
+}
+
+void motionCheck(benchmark::State &run, const std::string &checker)
+{
+    askAboutMotions(run, Question(run, checker));
+}
+
+/// The same at a resolution of 0.001, by our validator, which asks about many states at once, or by OMPL's.
+void sampledMotion(benchmark::State &run, bool own)
+{
+    const Question question(run, "analytic", "0.001");
+    if (!own)
+        question.problem.si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(question.problem.si));
+    askAboutMotions(run, question);
 }
 
 template <class Checker>
@@ -106,6 +123,32 @@ void scalarArmCheck(benchmark::State &run)
     askAboutArms(run, question, ScalarChecker(*question.scenario.planar().model));
 }
 
+/// 256 states at once; `time` is that of one.
+void armBatch(benchmark::State &run, const std::string &name)
+{
+    const Question question(run, "analytic");
+    const PlanarModel &model = *question.scenario.planar().model;
+    const auto checker = makeArmChecker(name, model);
+    constexpr int batchSize = 256;
+    std::vector<Eigen::MatrixXd> batches(stateCount / batchSize, Eigen::MatrixXd(batchSize, model.arm.dimension()));
+    Eigen::VectorXd q;
+    for (int k = 0; k < stateCount; ++k)
+    {
+        question.problem.space->toConfiguration(question.states[k], q);
+        batches[k / batchSize].row(k % batchSize) = q;
+    }
+    std::vector<char> free;
+    std::int64_t asked = 0, count = 0;
+    for (auto _ : run)
+    {
+        checker->areFree(batches[asked++ % batches.size()], free);
+        count += std::count(free.begin(), free.end(), 1);
+    }
+    run.counters["free"] = static_cast<double>(count) / static_cast<double>(asked * batchSize);
+    run.counters["time"] = benchmark::Counter(static_cast<double>(asked * batchSize),
+                                              benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
 void intoTheCorridor(benchmark::State &run)
 {
     const CorridorMotion motion(std::pow(10.0, -static_cast<double>(run.range(0))));
@@ -123,8 +166,12 @@ BENCHMARK_CAPTURE(stateCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK(scalarArmCheck)->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(armCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(armCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(armBatch, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(armBatch, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(motionCheck, analytic, "analytic")->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK_CAPTURE(motionCheck, fcl, "fcl")->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(sampledMotion, own, true)->ArgsProduct({{1, 2, 3}, {0, 1}});
+BENCHMARK_CAPTURE(sampledMotion, ompl, false)->ArgsProduct({{1, 2, 3}, {0, 1}});
 BENCHMARK(intoTheCorridor)->DenseRange(2, 7);
 }  // namespace
 }  // namespace narrows

@@ -24,6 +24,21 @@ struct Tally
     int free = 0, disagreements = 0;
 };
 
+/// Up to `most` states at once: the batch's verdicts, the single ones and the scalar checker's.
+void compareBatch(const ArmChecker &checker, const ScalarChecker &scalar, const Eigen::MatrixXd &states, Tally &tally)
+{
+    std::vector<char> batch;
+    checker.areFree(states, batch);
+    ASSERT_EQ(batch.size(), states.rows());
+    for (Eigen::Index k = 0; k < states.rows(); ++k)
+    {
+        const Eigen::VectorXd q = states.row(k);
+        const bool free = checker.isFree(q);
+        tally.free += free;
+        tally.disagreements += free != scalar.isFree(q) || batch[k] != (free ? 1 : 0);
+    }
+}
+
 /// Half of the states spread over the whole joint space, half crowded around `crowd`.
 Tally compare(const PlanarModel &model, const Eigen::VectorXd &crowd, int states)
 {
@@ -33,14 +48,13 @@ Tally compare(const PlanarModel &model, const Eigen::VectorXd &crowd, int states
     std::uniform_real_distribution<double> uniform(-std::acos(-1.0), std::acos(-1.0));
     std::normal_distribution<double> normal(0.0, 0.05);
     Tally tally;
-    Eigen::VectorXd q(crowd.size());
-    for (int trial = 0; trial < states; ++trial)
+    Eigen::MatrixXd batch(37, crowd.size());  // two whole blocks and a part of one
+    for (int first = 0; first < states; first += 37)
     {
-        for (int i = 0; i < q.size(); ++i)
-            q[i] = trial % 2 == 0 ? uniform(generator) : crowd[i] + normal(generator);
-        const bool free = checker->isFree(q);
-        tally.free += free;
-        tally.disagreements += free != scalar.isFree(q);
+        for (Eigen::Index k = 0; k < batch.rows(); ++k)
+            for (Eigen::Index i = 0; i < crowd.size(); ++i)
+                batch(k, i) = k % 2 == 0 ? uniform(generator) : crowd[i] + normal(generator);
+        compareBatch(*checker, scalar, batch, tally);
     }
     return tally;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/Recheck.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -23,18 +24,37 @@ public:
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
         {
             const Eigen::VectorXd delta = path[i + 1] - path[i];
-            const auto count = static_cast<std::int64_t>(std::ceil(longestWay(world_, delta) / step)) + 1;
-            for (std::int64_t k = 0; k <= count; ++k, ++states_)
-                if (!checker_->isFree(path[i] + static_cast<double>(k) / static_cast<double>(count) * delta))
+            const auto count = static_cast<Eigen::Index>(std::ceil(longestWay(world_, delta) / step)) + 1;
+            for (Eigen::Index first = 0; first <= count; first += batchSize)
+                if (!areFree(path[i], delta / static_cast<double>(count), first,
+                             std::min(count, first + batchSize - 1)))
                     return false;
         }
         return true;
     }
 
 private:
+    static constexpr Eigen::Index batchSize = 256;
+
+    /// start + k step, for k = first ... last.
+    bool areFree(const Eigen::VectorXd &start, const Eigen::VectorXd &step, Eigen::Index first, Eigen::Index last)
+    {
+        const Eigen::Index count = last - first + 1;
+        const Eigen::VectorXd steps =
+            Eigen::VectorXd::LinSpaced(count, static_cast<double>(first), static_cast<double>(last));
+        batch_.noalias() = steps * step.transpose();
+        batch_.rowwise() += start.transpose();
+        checker_->areFree(batch_, free_);
+        const auto touching = std::find(free_.begin(), free_.end(), 0);
+        states_ += touching - free_.begin();
+        return touching == free_.end();
+    }
+
     const World &world_;
     std::unique_ptr<ArmChecker> checker_;
     std::int64_t states_ = 0;
+    Eigen::MatrixXd batch_;
+    std::vector<char> free_;
 };
 
 /// What a second look at one path finds wrong with the verdict of the first; empty if nothing.

@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 
-#include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
 
 #include "kernel/PlanarRepulsionModel.h"
@@ -11,6 +10,7 @@
 #include "spaces/TipPathGoal.h"
 #include "validity/ArmValidityChecker.h"
 #include "validity/ContinuousMotionValidator.h"
+#include "validity/SampledMotionValidator.h"
 
 namespace narrows
 {
@@ -74,7 +74,7 @@ void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &mo
     if (read != motion.size() || !(resolution > 0.0 && resolution <= 1.0))
         throw std::invalid_argument("motion \"" + motion + "\" is neither \"continuous\" nor a resolution in (0, 1]");
     si->setStateValidityCheckingResolution(resolution);
-    si->setMotionValidator(std::make_shared<ob::DiscreteMotionValidator>(si));
+    si->setMotionValidator(std::make_shared<SampledMotionValidator>(si, checker, counts));
 }
 
 ob::GoalPtr makeGoal(const ob::SpaceInformationPtr &si, const Eigen::VectorXd &configuration)

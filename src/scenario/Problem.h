@@ -27,11 +27,11 @@ struct ProblemOptions
 /// Everything of one run, built anew for it.
 struct Problem
 {
-    std::shared_ptr<ArmStateSpace> space;
-    ob::SpaceInformationPtr si;  ///< set up
-    PlannerContext context;      ///< what planners are made from
-    ob::ProblemDefinitionPtr pdef;
-    std::shared_ptr<CheckCounts> counts;
+    std::shared_ptr<ArmStateSpace> space;  ///< the joint space, as the options ask for
+    ob::SpaceInformationPtr si;            ///< set up
+    PlannerContext context;                ///< what planners are made from
+    ob::ProblemDefinitionPtr pdef;         ///< start and goal
+    std::shared_ptr<CheckCounts> counts;   ///< how often the checker and the validator have been asked
 };
 
 /// \throws std::invalid_argument if an option has no such value or does not fit the scenario (joint limits are kept

@@ -16,10 +16,12 @@ namespace narrows
 class ArmValidityChecker : public ob::StateValidityChecker
 {
 public:
+    /// \pre the state space of `si` is an ArmStateSpace; nothing is null. \param si, checker, counts `counts` grows
+    /// with every question
     ArmValidityChecker(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
                        std::shared_ptr<CheckCounts> counts);
 
-    bool isValid(const ob::State *state) const override;
+    bool isValid(const ob::State *state) const override;  ///< Within the limits and free?
 
     /// Distance from the arm to the nearest thing it must not touch; negative or zero iff they touch.
     double clearance(const ob::State *state) const override;

@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validity/ContinuousMotionValidator.h"
 
+#include "validity/StraightMotion.h"
+
 namespace narrows
 {
-namespace
-{
-/// The motion between two states as the kernel counts it, in memory that is kept between calls.
-struct StraightMotion
-{
-    Eigen::VectorXd q, delta;
-};
-
-const StraightMotion &straightMotion(const ArmStateSpace &space, const ob::State *from, const ob::State *to)
-{
-    thread_local StraightMotion motion;
-    space.toConfiguration(from, motion.q);
-    space.displacement(from, to, motion.delta);
-    return motion;
-}
-}  // namespace
-
 ContinuousMotionValidator::ContinuousMotionValidator(const ob::SpaceInformationPtr &si,
                                                      std::shared_ptr<const ArmChecker> checker,
                                                      std::shared_ptr<CheckCounts> counts)

@@ -15,6 +15,8 @@ namespace narrows
 class ContinuousMotionValidator : public ob::MotionValidator
 {
 public:
+    /// \pre the state space of `si` is an ArmStateSpace; nothing is null. \param si, checker, counts `counts` grows
+    /// with every question
     ContinuousMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
                               std::shared_ptr<CheckCounts> counts);
 

@@ -14,7 +14,7 @@ namespace narrows
 {
 /// An `ArmChecker` that asks a `LinkChecker` about each link, and each pair of links that can collide.
 template <class Arm>
-class LinkwiseChecker final : public ArmChecker
+class LinkwiseChecker : public ArmChecker
 {
 public:
     LinkwiseChecker(const Arm &arm, std::unique_ptr<const LinkChecker<Arm::Dim>> links, bool selfCollision)
@@ -64,6 +64,9 @@ public:
     {
         return search(q, delta, placements).freeUntil();
     }
+
+protected:
+    const std::vector<LinkPair> &pairs() const { return pairs_; }
 
 private:
     /// isFree() one by one, for few links.

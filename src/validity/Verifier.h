@@ -15,7 +15,7 @@ namespace narrows
 /// What the verifier says of a path.
 struct Verdict
 {
-    bool accepted = false;
+    bool accepted = false;  ///< whether every condition holds
     std::string reason;     ///< empty if accepted, else one of: empty_path, dimension, not_finite, start, tip_path,
                             ///< goal, limits, collision, self_collision, not_certified (closer than can be told apart
                             ///< from touching)
@@ -31,6 +31,7 @@ struct Verdict
     std::size_t placements = 0;  ///< how many configurations of the arm were looked at: what the verdict cost
 };
 
+/// How exactly verify() measures, and how near the ends must be.
 struct VerifierOptions
 {
     double clearanceTolerance = 1e-4;  ///< > 0, a length; relative to nothing. Cost grows as it shrinks

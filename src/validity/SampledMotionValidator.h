@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include <ompl/base/MotionValidator.h>
+
+#include "spaces/ArmStateSpace.h"
+#include "validity/ArmChecker.h"
+#include "validity/CheckCounts.h"
+
+namespace narrows
+{
+/// Answers as OMPL's DiscreteMotionValidator does: a motion is free if its states are that divide it into
+/// validSegmentCount() equal parts. Asks about many of them at once, which is several times faster (see
+/// `ArmChecker::areFree`). Limits of joints are asked at the end only, as they are convex. Safe to share between
+/// threads.
+class SampledMotionValidator : public ob::MotionValidator
+{
+public:
+    /// \pre the state space of `si` is an ArmStateSpace; nothing is null. \param si, checker, counts `counts` grows
+    /// with every question
+    SampledMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
+                           std::shared_ptr<CheckCounts> counts);
+
+    /// \pre `from` is valid, as OMPL has it.
+    bool checkMotion(const ob::State *from, const ob::State *to) const override;
+
+    /// If the motion is not free, `lastValid` becomes the last state before the first that is not.
+    bool checkMotion(const ob::State *from, const ob::State *to,
+                     std::pair<ob::State *, double> &lastValid) const override;
+
+private:
+    class Samples;
+
+    bool record(bool free) const;
+
+    const ArmStateSpace *space_;
+    std::shared_ptr<const ArmChecker> checker_;
+    std::shared_ptr<CheckCounts> counts_;
+};
+}  // namespace narrows
