@@ -205,6 +205,37 @@ TEST(CorridorClasses, FindsEveryWayAroundThreeBlocks)
     EXPECT_EQ(kinds, (std::set<std::vector<int>>{{}, {1}, {1, 2}, {1, 2, 3}}));
 }
 
+TEST(CorridorClasses, StoppedSearchesComeAgain)
+{
+    auto grid = VoxelGrid<2>::make({0, 0}, {30, 40}, 0.2).grid;
+    for (double y : {3.0, 16.0, 27.0})
+        grid.occupyWithin([y](const Vector2d &p)
+                          { return std::max(std::abs(p.x() - 15.0) - 2.0, std::max(y - p.y(), p.y() - y - 8.0)); },
+                          0.0);
+    const auto clearance = distanceField(grid, GridBorder::Wall);
+    const CorridorOptions options;
+    CorridorClasses<2> whole(grid, clearance, {4, 20}, {26, 20}, options, 4.0);
+    CorridorClasses<2> interrupted(grid, clearance, {4, 20}, {26, 20}, options, 4.0);
+    for (int kind = 0; kind < 4; ++kind)
+    {
+        int questions = 0;
+        const auto expected = whole.next(12, [&questions] { return ++questions < 0; });
+        ASSERT_TRUE(expected);
+        ASSERT_GE(questions, 2) << "a search through tens of thousands of cells asks several times";
+        for (int patience = 0; patience < 2; ++patience)
+        {
+            int asked = 0;
+            const auto stopped = interrupted.next(1, [&] { return asked++ == patience; });
+            ASSERT_TRUE(stopped);
+            EXPECT_EQ(stopped->failure, CorridorFailure::Stopped);
+        }
+        const auto found = interrupted.next(12);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->cells, expected->cells);
+        EXPECT_EQ(interrupted.searches(), whole.searches());
+    }
+}
+
 TEST(CorridorClasses, FindsOnlyOneWayInTheUTurn)
 {
     const auto grid = uTurn(20.0);

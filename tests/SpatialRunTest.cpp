@@ -4,11 +4,13 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalState.h>
 
 #include "TipPathScenes.h"
 #include "benchmark/PathFile.h"
 #include "benchmark/RunOnce.h"
+#include "planners/ArmDecomposition.h"
 #include "planners/PlannerFactory.h"
 #include "spaces/SpatialArmStateSpace.h"
 #include "spaces/TipGoalRegion.h"
@@ -89,11 +91,58 @@ TEST_P(SpatialRun, ReachesATip)
 INSTANTIATE_TEST_SUITE_P(Checkers, SpatialRun, testing::Values("analytic", "fcl"),
                          [](const auto &checker) { return checker.param; });
 
-TEST(SpatialRunRecord, IsUnsupportedForPlannersOfThePlane)
+TEST(SpatialRunRecord, IsUnsupportedForPlannersOfOtherRobots)
 {
-    const Record record = runOnce(specOf(tinySpatialScenario(), "xxl"));
+    const Record record = runOnce(specOf(tinySpatialScenario(), "tight"));
     EXPECT_EQ(record.outcome, Outcome::Unsupported);
     EXPECT_FALSE(record.reason.empty());
+}
+
+/// A chain whose slide is much longer than itself: the grid is around where the slide takes it.
+TEST(SpatialDecomposition, SamplesStatesWhoseTipsAreInTheCell)
+{
+    Scenario scenario = tinySpatialScenario();
+    const auto slide = std::make_pair(Eigen::Vector3d(0.0, 0.6, 0.8), Interval{-50.0, -40.0});
+    scenario.spatial().model =
+        std::make_shared<SpatialModel>(SpatialModel{universalChain({0.0, 0.0, 0.0}, {1.0, 1.0}, 0.05, slide, 1.5), {}});
+    Eigen::VectorXd at = Eigen::VectorXd::Zero(5);
+    at[0] = -45.2;
+    scenario.spatial().task = {at, at};
+    const Problem problem = makeProblem(scenario);
+    const ArmDecomposition<SpatialArmStateSpace> cells(problem.si);
+    EXPECT_EQ(cells.getDimension(), 3);
+    EXPECT_EQ(cells.getNumRegions(), 16 * 16 * 16);
+    // Tips are in the box around the slide, 0 by 6 by 8, and by 1.001 * 2.05 beyond it.
+    const double across = 2.0 * 1.001 * 2.05 / 16.0;
+    std::vector<int> cell;
+    const ob::State *start = problem.pdef->getStartState(0);
+    cells.ridToGridCell(cells.locateRegion(start), cell);
+    EXPECT_EQ(cell[0], static_cast<int>((2.0 + 1.001 * 2.05) / across));
+    EXPECT_EQ(cell[1], 7) << "a little before the middle";
+    EXPECT_EQ(cell[2], 7);
+    ob::ScopedState<> state(problem.si);
+    for (const ob::State *seed : {start, static_cast<const ob::State *>(nullptr)})
+    {
+        int found = 0;
+        for (int k = 0; k < 20; ++k)
+            if (cells.sampleFromRegion(cells.gridCellToRid({10, 8, 8}), state.get(), seed))
+            {
+                ++found;
+                EXPECT_EQ(cells.locateRegion(state.get()), cells.gridCellToRid({10, 8, 8}));
+                EXPECT_TRUE(problem.si->isValid(state.get()));
+            }
+        EXPECT_GT(found, 10);
+    }
+    EXPECT_THROW(ArmDecomposition<PlanarArmStateSpace>{problem.si}, std::invalid_argument);
+}
+
+TEST(SpatialDecomposition, LeadsXxlPastABall)
+{
+    for (const Scenario &scenario : {tinySpatialScenario(), tinyTipScenario()})
+    {
+        const Record record = runOnce(specOf(scenario, "xxl"));
+        EXPECT_EQ(record.outcome, Outcome::Solved) << record.reason;
+    }
 }
 
 TEST(SpatialRunRecord, TellsHowATipPathWasFollowed)

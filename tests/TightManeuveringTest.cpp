@@ -58,6 +58,12 @@ TEST(TightManeuvering, FeedsThirtyFiveLinksThroughThirteenBends)
     EXPECT_EQ(run.problem.space->getDimension(), 71U);
     ASSERT_EQ(run.solve(), ob::PlannerStatus::EXACT_SOLUTION);
     expectVerified(run);
+    EXPECT_EQ(run.measure("states"), static_cast<double>(run.path().size()));
+    EXPECT_LT(run.measure("states"), 950.0);
+    // All motions are proven, nearly all of them by margins; the validator is asked about hardly more than a tenth.
+    EXPECT_EQ(run.measure("motions_by_margin") + run.measure("motions_by_validator"), run.measure("states") - 1.0);
+    EXPECT_GT(run.measure("motions_by_margin"), 0.98 * run.measure("states"));
+    EXPECT_LT(run.problem.counts->motionChecks, 150U);
 }
 
 TEST(TightManeuvering, TriesFurtherCorridorsOnAFinerGrid)

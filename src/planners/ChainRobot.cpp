@@ -127,6 +127,18 @@ bool ChainRobot<3>::configuration(const std::vector<Eigen::Vector3d> &centres, c
     return valuesFromCentres(geometry_[0], centres, found);
 }
 
+template <>
+void ChainRobot<2>::motion(const Eigen::VectorXd &from, const Eigen::VectorXd &to, ChainMotion<2> &found) const
+{
+    chainMotion(model_->arm, from, to, found);
+}
+
+template <>
+void ChainRobot<3>::motion(const Eigen::VectorXd &from, const Eigen::VectorXd &to, ChainMotion<3> &found) const
+{
+    chainMotion(geometry_[0], from, to, found);
+}
+
 template class ChainRobot<2>;
 template class ChainRobot<3>;
 }  // namespace narrows

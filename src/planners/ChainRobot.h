@@ -9,6 +9,7 @@
 #include "kernel/PlanarModel.h"
 #include "kernel/SpatialModel.h"
 #include "kernel/chain/ChainCertificate.h"
+#include "kernel/chain/ChainMotion.h"
 #include "spaces/PlanarArmStateSpace.h"
 #include "spaces/SpatialArmStateSpace.h"
 
@@ -35,6 +36,9 @@ public:
     /// The configuration with these ends of the links, whose angles are the nearest to those of `before`.
     /// \return false if the base is off the slide
     bool configuration(const std::vector<Point> &centres, const Eigen::VectorXd &before, Eigen::VectorXd &found) const;
+
+    /// The straight motion between two configurations.
+    void motion(const Eigen::VectorXd &from, const Eigen::VectorXd &to, ChainMotion<D> &found) const;
 
 private:
     const Model *model_;

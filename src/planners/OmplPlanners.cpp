@@ -83,15 +83,25 @@ PlannerEntry xxl()
 {
     PlannerEntry result =
         entry<og::XXL>("xxl", "searches a grid over the tip's position and samples joints within its cells");
-    result.make = [](const PlannerContext &context)
+    const auto isPlanar = [](const PlannerContext &context)
     {
-        return std::make_shared<og::XXL>(context.si, std::make_shared<ArmDecomposition>(context.si));
+        return dynamic_cast<const PlanarArmStateSpace *>(context.si->getStateSpace().get()) != nullptr;
     };
-    result.unsupported = [](const PlannerContext &context)
+    result.make = [isPlanar](const PlannerContext &context)
     {
-        const bool known = dynamic_cast<const PlanarArmStateSpace *>(context.si->getStateSpace().get()) != nullptr;
-        return known ? std::string{}
-                     : std::string{"needs a decomposition of the workspace; there is one for planar arms"};
+        og::XXLDecompositionPtr tips;
+        if (isPlanar(context))
+            tips = std::make_shared<ArmDecomposition<PlanarArmStateSpace>>(context.si);
+        else
+            tips = std::make_shared<ArmDecomposition<SpatialArmStateSpace>>(context.si);
+        return std::make_shared<og::XXL>(context.si, tips);
+    };
+    result.unsupported = [isPlanar](const PlannerContext &context)
+    {
+        const auto *space = dynamic_cast<const SpatialArmStateSpace *>(context.si->getStateSpace().get());
+        return isPlanar(context) || space != nullptr
+                   ? std::string{}
+                   : std::string{"needs a decomposition of the workspace; there is one for arms' tips"};
     };
     return result;
 }

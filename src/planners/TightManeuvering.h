@@ -18,7 +18,7 @@ namespace narrows
    For chains of equal links on a slide, in the plane and in space, fed straight into an environment whose passages are
    hardly wider than the links are long: all joints follow the tip along one path. The path is bent until a certificate
    says that every link at any time is free (mode relax), or made by the paper's beams. Deterministic. Every motion is
-   checked by the motion validator.
+   proven to be free, by its own margins or by the motion validator.
 
    Goals: a tip of the last link, or joint values (their tip, then a motion to the values). The start must be the
    straight chain along its slide.
@@ -47,9 +47,11 @@ public:
     /// field; `timeout` if there was more to try. A later call goes on.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
-    void getPlannerData(ob::PlannerData &data) const override;
+    void clear() override;                                      ///< Forgets the search, not the parameters.
+    void getPlannerData(ob::PlannerData &data) const override;  ///< What has been searched, starts and goals marked.
 
+    ///@{
+    /// A parameter: meaning, unit and range are those of params() and the text above.
     /// \throws std::invalid_argument from every setter if the value is out of range.
     void setMode(const std::string &mode);
     std::string getMode() const;
@@ -65,6 +67,7 @@ public:
     int getRounds() const { return settings_.rounds; }
     void setCouples(int couples);
     int getCouples() const { return settings_.couples; }
+    ///@}
 
 private:
     void declareParameters();

@@ -25,7 +25,8 @@ struct TightOutcome
 };
 
 /// The way of one chain to one goal, in the plane or in space: tries one path of TightSearch after the other, and turns
-/// the first that a chain can follow into motions that the validator accepts.
+/// the first that a chain can follow into motions that are proven: by margins (ChainMotionProof), else by the
+/// validator.
 class TightRun
 {
 public:
@@ -35,8 +36,8 @@ public:
     virtual std::string refusal() const = 0;
     virtual bool isDone() const = 0;
     virtual TightOutcome next(const std::function<bool()> &stop) = 0;
-    /// Counts of the search and of the feed (states, refused_motions), and what the certificate of the last path says
-    /// (amplification, largest_angle, link_clearance).
+    /// Counts of the search and of the feed (states, motions_by_margin, motions_by_validator, refused_motions), and
+    /// what the certificate of the last path says (amplification, largest_angle, link_clearance).
     virtual std::map<std::string, double> measures() const = 0;
 };
 

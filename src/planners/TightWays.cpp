@@ -74,12 +74,12 @@ bool TightWays<D>::findAnother(const std::function<bool()> &stop)
     refined_ = true;
     while (hasMore() && !stop())
     {
-        if (corridor().empty())
-        {
-            vain_ = 0;
+        const std::string failure = corridor(stop);
+        if (failure == "timeout")
+            return false;
+        vain_ = failure.empty() ? 0 : vain_ + 1;
+        if (failure.empty())
             return true;
-        }
-        ++vain_;
     }
     return false;
 }
@@ -126,15 +126,17 @@ std::string TightWays<D>::open(const AlignedBox &extent, double spacing)
     return "";
 }
 
-/// The next kind of corridor.
+/// The next kind of corridor; "timeout" if the search for it was stopped, and comes again.
 template <int D>
-std::string TightWays<D>::corridor()
+std::string TightWays<D>::corridor(const std::function<bool()> &stop)
 {
     CorridorOptions options;
     options.wide = spec_.length;
     if (!classes_)
         classes_ = std::make_unique<CorridorClasses<D>>(grid_, clearance_, start_, goal_, options, surcharge);
-    const std::optional<Corridor<D>> found = classes_->next(1);
+    const std::optional<Corridor<D>> found = classes_->next(1, stop);
+    if (found && found->failure == CorridorFailure::Stopped)
+        return "timeout";
     if (!found || found->failure != CorridorFailure::None)
         return "no_corridor";
     if (ways_.empty())

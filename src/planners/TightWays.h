@@ -66,7 +66,7 @@ public:
 private:
     AlignedBox extent(double share) const;
     std::string open(const AlignedBox &extent, double spacing);
-    std::string corridor();
+    std::string corridor(const std::function<bool()> &stop = {});
     std::string laplace();
     void refine();
     void add(const PointPath<D> &path);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "kernel/ConvexParts.h"
 #include "kernel/SpatialBounds.h"
 #include "kernel/SpatialDistance.h"
 
@@ -33,33 +34,39 @@ double middle(double lower, double upper)
 }
 }  // namespace
 
-/// One obstacle as segments see it.
 template <>
-class ChordObstacles<2>::Shape
+class ChordShape<2>
 {
 public:
-    explicit Shape(const PlanarObstacle &obstacle)
+    using Point = Eigen::Vector2d;
+
+    explicit ChordShape(const PlanarObstacle &obstacle)
     {
         // The size only matters to poles.
         view_ = makeLinkObstacle(obstacle, 0.0, 1.0);
+        const auto *polygon = std::get_if<Polygon>(&obstacle.shape);
+        convex_ = polygon == nullptr || convexParts(*polygon).size() == 1;
     }
 
     ChordContact<2> contact(const Point &a, const Point &b) const
     {
         const LinkTerm term = view_->clearance(Segment::between(a, b));
         const Point &normal = term.slope.force;
-        return {term.value, term.slope.lever.dot(normal) / normal.squaredNorm(), normal.normalized()};
+        return {term.value, term.slope.lever.dot(normal) / normal.squaredNorm(), normal.normalized(), convex_};
     }
 
 private:
     std::unique_ptr<const LinkObstacle> view_;
+    bool convex_;
 };
 
 template <>
-class ChordObstacles<3>::Shape
+class ChordShape<3>
 {
 public:
-    explicit Shape(const SpatialObstacle &obstacle) : shape_(&obstacle.shape)
+    using Point = Eigen::Vector3d;
+
+    explicit ChordShape(const SpatialObstacle &obstacle) : shape_(&obstacle.shape)
     {
         if (const auto *mesh = std::get_if<Mesh>(shape_))
             mesh_.emplace(*mesh);
@@ -68,7 +75,7 @@ public:
     ChordContact<3> contact(const Point &a, const Point &b) const
     {
         const Nearness near = mesh_ ? mesh_->nearest(a, b) : std::visit(Nearest{a, b}, *shape_);
-        return {near.distance, near.fraction, near.normal};
+        return {near.distance, near.fraction, near.normal, !mesh_};
     }
 
 private:
@@ -179,7 +186,7 @@ template <int D>
 void ChordObstacles<D>::contacts(const Point &a, const Point &b, double room, std::vector<ChordContact<D>> &found) const
 {
     descend(a, b, room,
-            [&](const Shape &shape)
+            [&](const ChordShape<D> &shape)
             {
                 const ChordContact<D> contact = shape.contact(a, b);
                 if (contact.distance < room)
@@ -193,7 +200,7 @@ double ChordObstacles<D>::clearance(const Point &a, const Point &b, double atMos
     double least = atMost, room = std::max(atMost, 0.0);
     bool meets = false;
     descend(a, b, room,
-            [&](const Shape &shape)
+            [&](const ChordShape<D> &shape)
             {
                 least = std::min(least, shape.contact(a, b).distance);
                 meets = meets || least <= 0.0;

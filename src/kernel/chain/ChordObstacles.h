@@ -18,7 +18,12 @@ struct ChordContact
     double distance;  ///< of the segment from the obstacle; negative where they meet, by about the least way apart
     double fraction;  ///< where on the segment, 0 at its first end, 1 at its second
     Eigen::Matrix<double, D, 1> normal;  ///< unit vector: how `distance` changes with that point
+    bool convex;  ///< the obstacle is: outside of it, it lies beyond the plane across `normal` at that distance
 };
+
+/// One obstacle as segments see it.
+template <int D>
+class ChordShape;
 
 /// The obstacles of a scene, prepared for exact distances from many segments (links of a chain): a tree of boxes, so
 /// that only what is near is looked at. Immutable and thread-safe.
@@ -55,7 +60,6 @@ public:
     const Point &upper() const { return upper_; }
 
 private:
-    class Shape;
     /// A leaf has one obstacle; an inner node has the next node and node `second` as its children.
     struct Node
     {
@@ -70,7 +74,7 @@ private:
     void descend(const Point &a, const Point &b, const double &room, const Visit &visit) const;
 
     std::vector<Obstacle> obstacles_;
-    std::vector<Shape> shapes_;
+    std::vector<ChordShape<D>> shapes_;
     std::vector<Node> nodes_;
     Point lower_;
     Point upper_;

@@ -134,29 +134,40 @@ public:
     {
     }
 
-    Corridor<D> first()
+    Corridor<D> first(const std::function<bool()> &stop)
     {
-        last_ = findCorridor(grid_, clearance_, start_, goal_, options_);
+        last_ = search(stop);
         return last_;
     }
 
     /// What the next search finds, if its kind is new.
-    std::optional<Corridor<D>> another()
+    std::optional<Corridor<D>> another(const std::function<bool()> &stop)
     {
         if (last_.failure != CorridorFailure::None)
             return std::nullopt;
         if (!kinds_)
             kinds_.emplace(grid_).isNew(last_);
-        charge(grid_, clearance_, last_, factor_, surcharge_);
-        last_ = findCorridor(grid_, clearance_, start_, goal_, options_, surcharge_);
-        if (!kinds_->isNew(last_))
+        if (!charged_)
+            charge(grid_, clearance_, last_, factor_, surcharge_);
+        charged_ = true;
+        Corridor<D> found = search(stop);
+        if (found.failure == CorridorFailure::Stopped)
+            return found;
+        charged_ = false;
+        last_ = found;
+        if (!kinds_->isNew(found))
             return std::nullopt;
-        Corridor<D> found = last_;
         found.cost = costOf(grid_, clearance_, options_, found.cells);
         return found;
     }
 
 private:
+    Corridor<D> search(const std::function<bool()> &stop)
+    {
+        options_.stop = stop;
+        return findCorridor(grid_, clearance_, start_, goal_, options_, surcharge_);
+    }
+
     const VoxelGrid<D> &grid_;
     const std::vector<float> &clearance_;
     Point start_, goal_;
@@ -164,6 +175,7 @@ private:
     double factor_;
     std::vector<float> surcharge_;
     Corridor<D> last_;
+    bool charged_ = false;           ///< for the path found last, by a search that was stopped
     std::optional<Kinds<D>> kinds_;  ///< prepared only if there is a second search
 };
 
@@ -180,17 +192,14 @@ template <int D>
 CorridorClasses<D>::~CorridorClasses() = default;
 
 template <int D>
-std::optional<Corridor<D>> CorridorClasses<D>::next(int searches)
+std::optional<Corridor<D>> CorridorClasses<D>::next(int searches, const std::function<bool()> &stop)
 {
-    if (searches_ == 0)
-    {
-        ++searches_;
-        return state_->first();
-    }
     for (int search = 0; search < searches; ++search)
     {
-        ++searches_;
-        if (std::optional<Corridor<D>> found = state_->another())
+        const std::optional<Corridor<D>> found = searches_ == 0 ? state_->first(stop) : state_->another(stop);
+        if (!found || found->failure != CorridorFailure::Stopped)
+            ++searches_;
+        if (found)
             return found;
     }
     return std::nullopt;

@@ -39,8 +39,9 @@ public:
     ~CorridorClasses();
 
     /// The cheapest path at first (which may have failed: then there is nothing else), later a path of a new kind, or
-    /// nothing if `searches` (>= 1) have not shown any.
-    std::optional<Corridor<D>> next(int searches);
+    /// nothing if `searches` (>= 1) have not shown any. If `stop` says so, a path that has failed with Stopped: the
+    /// same search comes again.
+    std::optional<Corridor<D>> next(int searches, const std::function<bool()> &stop = {});
     /// How many searches there have been.
     int searches() const { return searches_; }
 

@@ -9,6 +9,8 @@ namespace narrows
 {
 namespace
 {
+constexpr int cellsPerQuestion = 4096;
+
 /// Dijkstra's algorithm over the cells of a grid.
 template <int D>
 class CorridorSearch
@@ -19,6 +21,7 @@ public:
       : grid_(grid),
         steps_(stepsOf(grid, options.steps)),
         cost_(grid, clearance, options),
+        stop_(options.stop),
         surcharge_(surcharge),
         costs_(grid.cells(), 0.0F)
     {
@@ -44,8 +47,13 @@ public:
                           1.001 * std::sqrt(static_cast<double>(D)) * grid_.spacing() * dearest_);
         reached_[goal] = 0.0;
         queue.push(0.0, goal);
-        while (!queue.empty())
+        for (int expanded = 1; !queue.empty(); ++expanded)
         {
+            if (expanded % cellsPerQuestion == 0 && stop_ && stop_())
+            {
+                stopped_ = true;
+                return {};
+            }
             const auto [cost, cell] = queue.pop();
             if (cost > reached_[cell])
                 continue;
@@ -58,6 +66,7 @@ public:
     }
 
     double cost(int cell) const { return reached_[cell]; }
+    bool stopped() const { return stopped_; }
 
 private:
     /// Of a unit of length; 0 as long as nobody has asked.
@@ -106,6 +115,8 @@ private:
     const VoxelGrid<D> &grid_;
     std::vector<CellStep<D>> steps_;
     CorridorCost<D> cost_;
+    const std::function<bool()> &stop_;
+    bool stopped_ = false;
     const std::vector<float> &surcharge_;
     std::vector<float> costs_;
     double dearest_ = 1.0;
@@ -141,6 +152,8 @@ std::string toText(CorridorFailure failure)
             return "goal_blocked";
         case CorridorFailure::NotConnected:
             return "not_connected";
+        case CorridorFailure::Stopped:
+            return "stopped";
     }
     return "unknown";
 }
@@ -170,7 +183,7 @@ Corridor<D> findCorridor(const VoxelGrid<D> &grid, const std::vector<float> &cle
     CorridorSearch<D> search(grid, clearance, options, surcharge);
     corridor.cells = search.run(first, last);
     if (corridor.cells.empty())
-        return failed(CorridorFailure::NotConnected);
+        return failed(search.stopped() ? CorridorFailure::Stopped : CorridorFailure::NotConnected);
     corridor.cost = search.cost(first);
     corridor.clearance = clearance[first];
     for (int cell : corridor.cells)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@ enum class CorridorFailure
     StartBlocked,  ///< in an occupied cell
     GoalBlocked,
     NotConnected,  ///< no way through free cells
+    Stopped,       ///< because `stop` said so
 };
 
 /// "not_connected" and the like.
@@ -33,6 +36,7 @@ struct CorridorOptions
     /// value straightens the path in rooms that are wider than this.
     double wide = std::numeric_limits<double>::infinity();
     CellSteps steps = CellSteps::All;
+    std::function<bool()> stop;  ///< asked every few thousand cells; may be empty
 };
 
 /// What a unit of length costs in the free cells of a grid. Refers to what it is made of.
