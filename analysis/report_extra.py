@@ -91,7 +91,7 @@ def quality(path, runs):
     return table(
         "quality",
         "Path quality",
-        "Medians over solved runs; the last four columns are computed from stored paths of up to 150 scenes. "
+        "Medians over solved runs; the last five columns are computed from stored paths of up to 150 scenes. "
         "Turning: sum of the angles between segments in joint space. Classes: ways round the obstacles that are surely "
         "different (turns of every joint, and of every link about every obstacle), of scenes that several planners have "
         "paths for.",
@@ -105,6 +105,7 @@ def quality(path, runs):
             ("Paths", "that are stored"),
             ("Tip's way", "length unit of the scenes"),
             ("Turning", "rad"),
+            ("Curvature", "turning by the way in joint space"),
             ("Classes", "share of scenes where the path is not in the commonest class"),
         ],
         table_of,

@@ -163,6 +163,20 @@ def all_figures(runs, rows, totals, reasons):
             [{"name": "all groups", **heat(rows)}],
         ),
     ]
+    costs = report_phase.cost_panels(runs, {"cpu": "CPU seconds", "evaluations": "evaluations"})[:PANELS]
+    if costs:
+        figures.insert(
+            4,
+            figure(
+                "cost",
+                "Cost over width",
+                "trend",
+                "Medians; a run without a path counts as dearer than all, so a line ends where half of the runs are missing.",
+                "half width",
+                "median cost",
+                costs,
+            ),
+        )
     leads = report_phase.lead_panels(runs)
     if leads:
         figures.insert(

@@ -86,6 +86,36 @@ def draw_intervals(figure, panel):
     return page
 
 
+def draw_trend(figure, panel):
+    page, axes = plt.subplots(figsize=(4.8, 3.4), layout="constrained")
+    for series in panel["series"]:
+        style = {"linewidth": 2.0} if series["ours"] else {"linewidth": 1.0, "linestyle": "--"}
+        axes.plot(series["x"], series["y"], marker="o", markersize=3, label=series["name"], **style)
+    axes.set(xscale="log", yscale="log", xlabel=figure["x"], ylabel=figure["y"])
+    axes.set_title(panel["name"], fontsize=8)
+    if 0 < len(panel["series"]) <= MANY:
+        axes.legend(fontsize=5, ncols=1 + len(panel["series"]) // 14)
+    return page
+
+
+def draw_stacked(figure, panel):
+    """Shares of the ends that runs had, solved first."""
+    rows = panel["rows"]
+    page, axes = plt.subplots(figsize=(6.4, 1.4 + 0.22 * len(rows)), layout="constrained")
+    ends = dict.fromkeys(end for row in rows for end in row["counts"])
+    before = np.zeros(len(rows))
+    totals = np.array([sum(row["counts"].values()) for row in rows], float)
+    for end in sorted(ends, key=lambda end: end != "solved"):
+        shares = np.array([row["counts"].get(end, 0) for row in rows]) / totals
+        axes.barh(range(len(rows)), shares, left=before, label=end)
+        before += shares
+    axes.set_yticks(range(len(rows)), [row["planner"] for row in rows], fontsize=7)
+    axes.set(xlim=(0.0, 1.0), xlabel=figure["x"])
+    axes.invert_yaxis()
+    axes.legend(fontsize=6, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.25))
+    return page
+
+
 def draw_phase(figure, panel):
     """Shares as squares, with the line and its band."""
     widths, rows = np.array(panel["columns"]), np.arange(len(panel["rows"]))
@@ -111,7 +141,14 @@ def cell_text(cell):
     return escaped(cell) if isinstance(cell, str) else brief(cell)
 
 
-DRAW = {"phase": draw_phase, "steps": draw_steps, "intervals": draw_intervals}
+DRAW = {
+    "phase": draw_phase,
+    "steps": draw_steps,
+    "intervals": draw_intervals,
+    "stacked": draw_stacked,
+    "trend": draw_trend,
+}
+BY_PANEL = ("phase", "trend")  # these have no panel of all groups: each becomes a file
 
 
 def write_paper(data, folder):
@@ -127,7 +164,7 @@ def write_paper(data, folder):
         (folder / name).write_text(text, encoding="utf-8")
     written = [folder / name for name in texts]
     for figure in data["figures"]:
-        for number, panel in enumerate(figure["panels"] if figure["kind"] == "phase" else figure["panels"][:1]):
+        for number, panel in enumerate(figure["panels"] if figure["kind"] in BY_PANEL else figure["panels"][:1]):
             if figure["kind"] not in DRAW:
                 continue
             page = DRAW[figure["kind"]](figure, panel)

@@ -97,3 +97,28 @@ def lead_panels(runs):
     found = leads(runs)
     made = [panel(family, part) for family, part in found.groupby("family", sort=False)] if len(found) else []
     return [one for one in made if one is not None]
+
+
+def cost_line(planner, runs, cost):
+    """Medians by half width, runs without a path counting as dearer than all: none where half or more are missing."""
+    medians = runs[cost].astype(float).where(runs["solved"], np.inf).groupby(runs["half_width"]).median()
+    finite = medians[np.isfinite(medians)]
+    numbers = lambda values: [float(f"{value:.4g}") for value in values]
+    return {"name": planner, "ours": bool(runs["ours"].iloc[0]), "x": numbers(finite.index), "y": numbers(finite)}
+
+
+def cost_panels(runs, costs):
+    """A panel per family, number of links and cost, of those whose width was swept.
+
+    \\param costs titles by column of the runs
+    """
+    made = []
+    for (family, links), part in placed(runs).groupby(["family", "links"], sort=False):
+        if part["half_width"].nunique() < 2:
+            continue
+        where = f"{family}, {links} links" if links else family
+        for column, title in costs.items():
+            known = part[part[column].notna()]
+            lines = [cost_line(planner, mine, column) for planner, mine in known.groupby("planner", sort=False)]
+            made.append({"name": f"{where}: {title}", "series": lines})
+    return made

@@ -46,6 +46,12 @@ def turning(path):
     return float(np.arccos(np.clip(np.sum(unit[1:] * unit[:-1], axis=1), -1.0, 1.0)).sum())
 
 
+def curvature(path):
+    """Turning by the way, in joint space: 0 if nothing moves."""
+    way = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+    return turning(path) / way if way > 0.0 else 0.0
+
+
 def turns(points, center):
     """Full turns of every moving point about a fixed one, over and above the shortest that joins its ends.
 
@@ -98,7 +104,7 @@ def chosen(experiments):
 
 
 def measured(path, runs):
-    """\\return by run: planner, experiment, way, turning, class"""
+    """\\return by run: planner, experiment, way, turning, curvature, class"""
     found = {}
     solved = runs[runs["solved"]].set_index("id")[["planner", "experiment"]]
     with closing(open_database(path)) as database:
@@ -114,14 +120,16 @@ def measured(path, runs):
             query = "SELECT runid, angles FROM paths JOIN runs ON runs.id = runid WHERE experimentid = ? AND solved"
             for run, angles in database.execute(query, (experiment,)):
                 planner, _ = solved.loc[run]
-                found[run] = (planner, experiment, *scene.measure(np.array(json.loads(angles), float)))
+                rows = np.array(json.loads(angles), float)
+                way, bends, kind = scene.measure(rows)
+                found[run] = (planner, experiment, way, bends, curvature(rows), kind)
     return found
 
 
 def uncommon(found):
     """Share of scenes, by planner, in which its path is not of the class that most planners' paths are of."""
     by_scene = {}
-    for planner, experiment, _, _, kind in found.values():
+    for planner, experiment, *_, kind in found.values():
         if kind is not None:
             by_scene.setdefault(experiment, []).append((planner, kind))
     votes = {}
@@ -143,13 +151,13 @@ def median(values):
 
 def by_planner(path, runs):
     """\\return rows: planner, solved runs, median length, smoothness, clearance and joint step, paths that were looked at,
-    median way of the tip and turning, share of scenes off the commonest class"""
+    median way of the tip, turning and curvature, share of scenes off the commonest class"""
     found = measured(path, runs)
     shares = uncommon(found)
     rows = []
     for planner, part in runs[runs["solved"]].groupby("planner", sort=False):
         mine = [row for row in found.values() if row[0] == planner]
         columns = [median(part[name]) for name in ("length", "smoothness", "clearance", "joint_step")]
-        ways = [median([row[place] for row in mine]) for place in (2, 3)]
+        ways = [median([row[place] for row in mine]) for place in (2, 3, 4)]
         rows.append([planner, len(part), *columns, len(mine), *ways, shares.get(planner)])
     return rows

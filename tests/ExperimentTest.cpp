@@ -236,6 +236,20 @@ TEST(BadExperiments, AllFaultsAreNamedAtOnce)
                     StartsWith("39: biest: is called 'biest' like the entry in line 38")));
 }
 
+TEST_F(ExperimentFile, SweepsGoInSteps)
+{
+    const Experiment experiment = read("[problem]\nname = test\nscenario = " + scenarioFolder +
+                                       "slab.yaml\n[sweep]\n"
+                                       "generate.half_width = 0.01..0.019 by 0.003, 1e-4..1.2e-4 by 1e-5\n"
+                                       "[planner]\nrrtconnect =\n");
+    std::vector<std::string> names;
+    for (const auto &scenario : experiment.scenarios)
+        names.push_back(scenario->name);
+    EXPECT_THAT(names, testing::ElementsAre("slab_half_width0.01", "slab_half_width0.013", "slab_half_width0.016",
+                                            "slab_half_width0.019", "slab_half_width0.0001", "slab_half_width0.00011",
+                                            "slab_half_width0.00012"));
+}
+
 TEST_F(ExperimentFile, SweepsMakeTheCrossProductOfEveryFamily)
 {
     const Experiment experiment = read("[problem]\nname = test\nscenario = " + scenarioFolder + "slab.yaml, " +
@@ -311,6 +325,12 @@ TEST_F(ExperimentFile, BadSweepsAreRefusedWithTheirLines)
     EXPECT_THAT(slabFaults("generate.seed = 1..3, 2"), ElementsAre("5: sweep.generate.seed: names '2' twice"));
     EXPECT_THAT(slabFaults("generate.seed = 1..b"),
                 ElementsAre("5: sweep.generate.seed: '1..b' is not a range of whole numbers like 1..20"));
+    EXPECT_THAT(slabFaults("generate.half_width = 0.1..0.2 by b"),
+                ElementsAre("5: sweep.generate.half_width: '0.1..0.2 by b' is not a range of numbers like 0.1..0.2 by "
+                            "0.05"));
+    for (const char *step : {"0", "-0.1", "1e-9"})
+        EXPECT_THAT(slabFaults("generate.half_width = 0.1..0.2 by " + std::string(step)),
+                    ElementsAre(testing::HasSubstr("is an empty or too large range")));
     EXPECT_THAT(slabFaults("generate.seed ="),
                 ElementsAre("5: sweep.generate.seed: expected a list separated by commas"));
     EXPECT_THAT(slabFaults("generate.seed = 1,,2"),

@@ -171,6 +171,16 @@ TEST_F(ResultStoreFile, OnlyVerifiedExactPathsAreSolved)
     EXPECT_EQ(scalar("SELECT sum(approximate_solution) FROM runs"), "1");
 }
 
+TEST_F(ResultStoreFile, TheDoctorFindsAPathWhereThereIsNoWay)
+{
+    create().add(specs_[0], solved(1.0), SavePaths::All);
+    EXPECT_THAT(ResultStore::open(path_).examine().faults, testing::IsEmpty());
+    SQLite::Database(path_, SQLite::OPEN_READWRITE)
+        .exec("UPDATE instances SET scenario = scenario || char(10) || 'infeasible: {first_joint: [0, 1]}'");
+    EXPECT_THAT(ResultStore::open(path_).examine().faults,
+                testing::Contains("run 1 counts as solved, though its scenario is proven to have no way"));
+}
+
 TEST_F(ResultStoreFile, TakesEveryRunOnce)
 {
     ResultStore store = create();

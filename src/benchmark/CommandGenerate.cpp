@@ -55,7 +55,9 @@ int generate(const GenerateOptions &options)
     const std::string text = toYaml(scene, name, family.describe(values));
     const Scenario scenario = parseScenario(text, "--name");  // which is all that can be wrong with it
     if (!options.witness.empty() && witness.empty())
-        throw std::invalid_argument("--witness: no witness is known for the family " + family.name);
+        throw std::invalid_argument(scenario.infeasible
+                                        ? "--witness: the scene has no way"
+                                        : "--witness: no witness is known for the family " + family.name);
 
     if (options.output.empty())
         std::cout << text;

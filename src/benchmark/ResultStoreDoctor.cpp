@@ -53,6 +53,10 @@ Diagnosis diagnose(SQLite::Database &database)
         diagnosis.faults.push_back("run " + run + " counts as solved, though no verifier accepted it");
     for (const std::string &run : texts(database, "SELECT id FROM runs WHERE (outcome = 'solved') IS NOT (solved = 1)"))
         diagnosis.faults.push_back("run " + run + " contradicts itself: outcome and solved differ");
+    for (const std::string &run : texts(database,
+                                        "SELECT runs.id FROM runs JOIN instances USING (experimentid) WHERE solved AND "
+                                        "instr(scenario, char(10) || 'infeasible:') > 0"))
+        diagnosis.faults.push_back("run " + run + " counts as solved, though its scenario is proven to have no way");
 
     for (const std::string &line : texts(database, R"(
              SELECT experiments.name || ', ' || plannerConfigs.name || ': ' || count(*) || ' of ' || runcount || ' runs'

@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "benchmark/Text.h"
 
 namespace narrows
@@ -22,9 +24,29 @@ double wholeNumber(const std::string &text, const std::string &range)
     return *value;
 }
 
+/// "0.1..0.2 by 0.05" as 0.1, 0.15, 0.2.
+std::vector<std::string> stepped(const std::string &range, std::size_t dots, std::size_t by)
+{
+    const std::optional<double> first = toNumber(trimmed(range.substr(0, dots)));
+    const std::optional<double> last = toNumber(trimmed(range.substr(dots + 2, by - dots - 2)));
+    const std::optional<double> step = toNumber(trimmed(range.substr(by + 4)));
+    if (!first || !last || !step)
+        throw std::invalid_argument("'" + range + "' is not a range of numbers like 0.1..0.2 by 0.05");
+    const double steps = (*last - *first) / *step;
+    if (!(*step > 0.0 && steps >= 0.0 && steps < mostInstances))
+        throw std::invalid_argument("'" + range + "' is an empty or too large range");
+    std::vector<std::string> values;
+    constexpr double rounding = 1e-6;  // of a step
+    for (int i = 0; i <= steps + rounding; ++i)
+        values.push_back(fmt::format("{:.12g}", *first + i * *step));
+    return values;
+}
+
 /// "3..5" as 3, 4, 5.
 std::vector<std::string> unfolded(const std::string &range, std::size_t dots)
 {
+    if (const std::size_t by = range.find(" by ", dots); by != std::string::npos)
+        return stepped(range, dots, by);
     const double first = wholeNumber(trimmed(range.substr(0, dots)), range);
     const double last = wholeNumber(trimmed(range.substr(dots + 2)), range);
     if (last < first || last - first >= mostInstances)

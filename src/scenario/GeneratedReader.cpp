@@ -95,7 +95,7 @@ std::string nameWith(const std::string &name, const GenerateSettings &settings)
 void readGenerated(const Mapping &root, const GenerateSettings &settings, Scenario &scenario)
 {
     FaultList &faults = root.field().faults();
-    for (const char *made : {"robot", "obstacles", "start", "goal"})
+    for (const char *made : {"robot", "obstacles", "start", "goal", "infeasible"})
         if (root.has(made))
             root.optional(made).fault("generate makes robot, obstacles, start and goal: leave it out");
     const Mapping generate(root.required("generate"));

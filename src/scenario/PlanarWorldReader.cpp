@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/PlanarWorldReader.h"
 
+#include "scenario/ConfinementReader.h"
 #include "scenario/MethodsReader.h"
 #include "scenario/ObstacleReader.h"
 #include "scenario/RobotReader.h"
@@ -25,6 +26,7 @@ void readPlanarWorld(const Mapping &root, Scenario &scenario)
         world.model =
             std::make_shared<const PlanarModel>(PlanarModel{*robot.arm, obstacles.obstacles, robot.selfCollision});
         checkTaskIsFree(start, goal, *world.model, *task);
+        scenario.infeasible = readConfinement(root.optional("infeasible"), world);
     }
     scenario.world = std::move(world);
 }

@@ -58,7 +58,8 @@ Scenario parseScenario(const std::string &text, const std::string &file, const G
     checkInputText(text, file);
     FaultList faults(file);
     const Mapping root(Field(faults, parseYaml(text, file), ""));
-    root.allowOnly({"format", "name", "source", "robot", "obstacles", "start", "goal", "methods", "generate", "files"});
+    root.allowOnly({"format", "name", "source", "robot", "obstacles", "start", "goal", "infeasible", "methods",
+                    "generate", "files"});
     root.required("format").oneOf({"narrows/scenario/1"});
     Scenario scenario;
     scenario.text = text;
@@ -69,6 +70,8 @@ Scenario parseScenario(const std::string &text, const std::string &file, const G
     const bool isSpatial = isSpatialRobot(root.optional("robot"));
     if (root.has("files") && !isSpatial)
         root.optional("files").fault("only robots of kind spatial_arm have obstacles from files");
+    if (root.has("infeasible") && isSpatial)
+        root.optional("infeasible").fault("proofs are known for robots in the plane only");
     if (root.has("generate"))
         readGenerated(root, settings, scenario);
     else if (!settings.empty())

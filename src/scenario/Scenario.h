@@ -3,19 +3,21 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "scenario/World.h"
+#include "validity/Confinement.h"
 
 namespace narrows
 {
 /// One thing wrong with an input file.
 struct InputFault
 {
-    std::string file;
+    std::string file;    ///< path as it was given
     int line;            ///< 1-based; 0 if it is about the whole file
     std::string key;     ///< dotted, with indices: robot.links[2].length; empty if it is about the whole file
     std::string reason;  ///< what is wrong and what would be right
@@ -28,7 +30,8 @@ struct InputFault
 class InputError : public std::runtime_error
 {
 public:
-    explicit InputError(std::vector<InputFault> faults);
+    explicit InputError(std::vector<InputFault> faults);  ///< \param faults not empty; what() lists them, one a line
+    /// Everything that is wrong, in the order of the file.
     const std::vector<InputFault> &faults() const { return faults_; }
 
 private:
@@ -44,8 +47,9 @@ struct Scenario
     std::string base;    ///< the name its file gives, which all share that a sweep makes of one file
     std::string group;   ///< the name but for the seed of a sweep: what tables put together
     std::string family;  ///< that it was drawn from; empty if the file lists its obstacles
-    World world;
-    /// methods.<planner>.<parameter> as parameter texts for `makePlanner`: what a paper prescribes for its own method.
+    World world;         ///< robot, obstacles and task, of one of the two kinds
+    std::optional<Confinement> infeasible;  ///< the proof, checked, that there is no way, if the file has one
+    /// `methods.PLANNER.PARAMETER` as parameter texts for `makePlanner`: what a paper prescribes for its own method.
     /// For hppm: `repulsion` comma-separated in the order of the obstacles, `rows` with "; " between rows and ", "
     /// within, `direction` comma-separated, everything else as written.
     std::map<std::string, std::map<std::string, std::string>> methods;
@@ -53,12 +57,15 @@ struct Scenario
     /// May it be meant by this word?
     bool isCalled(const std::string &word) const { return word == name || word == group || word == base; }
 
+    /// Does the robot live in the plane?
     bool isPlanar() const { return std::holds_alternative<PlanarWorld>(world); }
     /// \throws std::bad_variant_access if the robot lives in space
     const PlanarWorld &planar() const { return std::get<PlanarWorld>(world); }
+    /// \throws std::bad_variant_access if the robot lives in space
     PlanarWorld &planar() { return std::get<PlanarWorld>(world); }
     /// \throws std::bad_variant_access if the robot lives in the plane
     const SpatialWorld &spatial() const { return std::get<SpatialWorld>(world); }
+    /// \throws std::bad_variant_access if the robot lives in the plane
     SpatialWorld &spatial() { return std::get<SpatialWorld>(world); }
 };
 

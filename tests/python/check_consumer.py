@@ -7,7 +7,9 @@
 installed: `cmake --install` into a prefix; package: the .deb that CPack makes, unpacked; subproject: FetchContent, only
 configured (its libraries are those of this build, once more). pkg-config is asked as well where there is a prefix.
 """
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -33,12 +35,48 @@ def prefix_of(kind, build, work):
     fields = output("dpkg-deb", "--field", package)
     assert "Package: libnarrows-dev" in fields and "libompl-dev" in fields, fields
     run("dpkg-deb", "-x", package, work / "root")
+    (work / "depends").write_text(output("dpkg-deb", "--field", package, "Depends"))
     return work / "root" / "usr"
 
 
 def configure(source, work, *definitions):
     run("cmake", "-S", source / "tests" / "consumer", "-B", work / "build", "-D", "CMAKE_BUILD_TYPE=Release",
         "-D", f"OWN_ROBOT={source / 'examples' / '08_own_robot.cpp'}", *definitions)
+
+
+def dependencies_of(packages):
+    """The packages with all that they depend on, as far as it is installed."""
+    depends, provided = {}, {}
+    for line in output("dpkg-query", "-W", "-f", "${Package}\\t${Pre-Depends}, ${Depends}\\t${Provides}\\n").splitlines():
+        name, wanted, provides = line.split("\t")
+        depends[name] = [re.split(r"[ (:]", choice.strip())[0] for choice in re.split(r"[,|]", wanted)]
+        for other in provides.split(","):
+            provided.setdefault(re.split(r"[ (]", other.strip())[0], []).append(name)
+    found, open_ = set(), list(packages)
+    while open_:
+        name = open_.pop()
+        if name and name not in found:
+            found.add(name)
+            open_ += depends.get(name, []) + provided.get(name, [])
+    return found
+
+
+def owners_of(files):
+    """The packages that the files belong to; those that belong to none are this project's."""
+    listed = subprocess.run(["dpkg", "-S", *sorted(files)], capture_output=True, text=True).stdout
+    return {line.split(":")[0] for line in listed.splitlines() if not line.startswith("diversion")}
+
+
+def check_depends(depends, programs):
+    """Nothing that the programs were compiled with and run on comes from a package that Depends does not bring."""
+    files = set()
+    for listing in programs.rglob("*.o.d"):
+        files |= {os.path.realpath(word) for word in listing.read_text().split() if word.startswith("/")}
+    for program in ("plan", "own_robot", "kernel_only"):
+        files |= {os.path.realpath(path) for path in re.findall(r"=> (/\S+)", output("ldd", programs / program))}
+    names = [word.split()[0] for word in depends.split(",")]
+    missing = owners_of(files) - dependencies_of(names + ["build-essential"])
+    assert len(files) > 1000 and not missing, f"Depends lacks what brings {sorted(missing)}"
 
 
 def build_and_look(source, work):
@@ -68,6 +106,8 @@ def main(kind, build, source, work):
     prefix = prefix_of(kind, build, work)
     configure(source, work, "-D", f"CMAKE_PREFIX_PATH={prefix}")
     build_and_look(source, work)
+    if kind == "package":
+        check_depends((work / "depends").read_text(), work / "build")
     ask_pkg_config(prefix)
 
 

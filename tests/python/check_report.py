@@ -16,6 +16,7 @@ from contextlib import closing
 from pathlib import Path
 from xml.etree import ElementTree
 
+from planner_arena import Arena
 from webdriver import Browser
 
 SKIPPED = 77
@@ -198,7 +199,7 @@ def check_hypotheses(browser):
     first, quality = browser.script(code)[:2]
     expect(first[:3] == ["all", "RRT-Connect solves everything", "confirmed"], first)
     expect(first[4] == "3" and "3 of 3 solved" in first[5], first)
-    expect(quality[0] in ENTRIES and len(quality) == 10, quality)
+    expect(quality[0] in ENTRIES and len(quality) == 11, quality)
     expect("declared before the first run 1 came out confirmed" in browser.script("return document.body.innerText"), "verdict")
 
 
@@ -273,9 +274,15 @@ def check_logs(out):
     expect(len(stored) == RUNS and rows_of(read, columns) == stored, "OMPL's tool read other numbers")
 
 
+def check_arena(out):
+    """Planner Arena finds its columns in a new database, and all runs."""
+    arena = Arena(out / "small.db")
+    expect(len(arena.extended) == RUNS and arena.parameters == ["scenario", "checker", "motion"], "Planner Arena's frames")
+
+
 def check_paper(out):
     paper = out / "report" / "paper"
-    for name in ("success.pdf", "time.pdf", "effort.pdf", "profile.pdf"):
+    for name in ("ends.pdf", "success.pdf", "time.pdf", "effort.pdf", "profile.pdf"):
         expect((paper / name).read_bytes().startswith(b"%PDF"), name)
     rows = (paper / "all_groups.tex").read_text().splitlines()
     expect(sum(line.endswith(r"\\") for line in rows) == 1 + len(ENTRIES), f"a line for every entry: {rows}")
@@ -291,6 +298,7 @@ def main(program, scenarios, out):
     out.mkdir(parents=True)
     page = write_report(program, scenarios, out)
     check_logs(out)
+    check_arena(out)
     check_paper(out)
     check_page(page, out)
     return 0

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 import report_quality
-from report_quality import PlanarScene, finely, homotopy_class, tips, turning, turns
+from report_quality import PlanarScene, curvature, finely, homotopy_class, tips, turning, turns
 
 SCENE = """
 name: made
@@ -53,6 +53,13 @@ def test_turns_count_from_the_shortest_way():
 def test_turning_sums_the_corners():
     square = np.array([[0, 0], [1, 0], [1, 0], [1, 1], [0, 1]], float)  # a waypoint twice turns nowhere
     assert turning(square) == pytest.approx(math.pi, abs=1e-12)
+    assert curvature(square) == pytest.approx(math.pi / 3.0, abs=1e-12)
+
+
+def test_curvature_is_that_of_the_circle_and_0_at_rest():
+    turn = np.linspace(0.0, 1.5, 400)
+    assert curvature(2.5 * np.column_stack([np.cos(turn), np.sin(turn)])) == pytest.approx(1.0 / 2.5, rel=0.01)
+    assert curvature(np.zeros((2, 3))) == 0.0
 
 
 def test_fine_paths_keep_their_waypoints_and_the_step():

@@ -191,6 +191,21 @@ def test_one_width_is_no_diagram_and_one_row_has_no_line(database):
     assert (panel["columns"], panel["rows"], panel["line"], panel["failure"]) == ([4e-4, 0.1], [0], [], "one_row")
 
 
+def test_cost_over_width_is_a_median_that_counts_what_is_missing(database):
+    rows = []
+    for width, times in (("1e-3", (0.2, None, None)), ("1e-2", (0.1, 0.3, None)), ("0.1", (0.01, 0.02, 0.03))):
+        for i, time in enumerate(times):
+            group = f"slab_links3_half_width{width}"
+            rows.append((group, f"{group}_seed{i}", "rrt", False, time))
+    rows.append(("gap", "gap", "rrt", False, 0.1))
+    runs = report_rows.read_campaign(database(rows)).runs
+    panel, by_evaluations = report_phase.cost_panels(runs, {"cpu": "CPU seconds", "evaluations": "evaluations"})
+    assert panel["name"] == "slab, 3 links: CPU seconds" and by_evaluations["name"] == "slab, 3 links: evaluations"
+    # Two of three are missing at 1e-3: their median is beyond the limit.
+    assert panel["series"] == [{"name": "rrt", "ours": False, "x": [0.01, 0.1], "y": [0.3, 0.02]}]
+    assert report_phase.cost_panels(runs[runs["group"] == "gap"], {"cpu": "CPU seconds"}) == []
+
+
 def test_thinning_keeps_the_ends_and_the_tolerance():
     turn = np.linspace(0.0, 2.0, 500)
     path = np.column_stack([np.cos(turn), np.sin(turn), 1.0 / 3.0 + turn])

@@ -170,6 +170,11 @@ export interface StepsPanel {
   end: number; // where curves stop
 }
 
+export interface TrendPanel {
+  name: string;
+  series: Series[]; // rising in x; both axes logarithmic
+}
+
 export interface HeatPanel {
   name: string;
   rows: string[];
@@ -204,6 +209,7 @@ interface FigureHead {
 export type Figure =
   | (FigureHead & { kind: "intervals"; panels: IntervalsPanel[] })
   | (FigureHead & { kind: "steps"; panels: StepsPanel[] })
+  | (FigureHead & { kind: "trend"; panels: TrendPanel[] })
   | (FigureHead & { kind: "heat"; panels: HeatPanel[] })
   | (FigureHead & { kind: "phase"; panels: PhasePanel[] })
   | (FigureHead & { kind: "stacked"; panels: StackedPanel[] });

@@ -5,6 +5,7 @@ import { heatColour, shade } from "../src/charts/heat";
 import { edges } from "../src/charts/phase";
 import { linear, linearTicks, log, logTicks } from "../src/charts/scale";
 import { stepPath } from "../src/charts/steps";
+import { linePath } from "../src/charts/trend";
 import { brief, csv, duration } from "../src/format";
 import { type Column, filtered, sorted } from "../src/table";
 
@@ -57,6 +58,11 @@ describe("scales", () => {
     const [x, y] = [linear(0, 10, 0, 100), linear(0, 1, 100, 0)];
     const series = { name: "a", ours: true, x: [2, 5], y: [0.5, 1] };
     expect(stepPath(series, x, y, 0, 10)).toBe("M0.0,100.0H20.0V50.0H50.0V0.0H100.0");
+  });
+
+  it("lines join their points on logarithmic axes", () => {
+    const series = { name: "a", ours: true, x: [0.01, 0.1, 1], y: [1, 100, 10] };
+    expect(linePath(series, log(0.01, 1, 0, 100), log(1, 100, 50, 0))).toBe("M0.0,50.0L50.0,0.0L100.0,25.0");
   });
 
   it("cells of a logarithmic axis meet halfway", () => {

@@ -64,6 +64,15 @@ std::string stateText(const ArmScene &scene, const PlanarArm &arm, const Eigen::
     const std::string slide = scene.slide ? fmt::format("slide: {}, ", q[0]) : "";
     return fmt::format("{{{}angles: {}}}", slide, list(q.tail(arm.linkCount())));
 }
+
+std::string proofText(const std::optional<Confinement> &proof)
+{
+    if (!proof)
+        return "";
+    const auto &[first, along] = *proof;
+    return fmt::format("infeasible: {{first_joint: [{}, {}], along: [{}, {}]}}\n", first.lower, first.upper, along[0],
+                       along[1]);
+}
 }  // namespace
 
 double rounded(double value, int decimals)
@@ -131,9 +140,9 @@ std::string toYaml(const ArmScene &scene, const std::string &name, const std::st
     for (const PlanarObstacle &obstacle : scene.obstacles)
         obstacles += fmt::format("  - {{name: {}, {}}}\n", obstacle.name, std::visit(ShapeText{}, obstacle.shape));
     return fmt::format(
-        "format: narrows/scenario/1\nname: {}\nsource: {}\nrobot:\n{}obstacles:{}{}start: {}\ngoal: {}\n", name,
+        "format: narrows/scenario/1\nname: {}\nsource: {}\nrobot:\n{}obstacles:{}{}start: {}\ngoal: {}\n{}", name,
         YAML::Dump(YAML::Node(source)), robotText(scene), obstacles.empty() ? " []" : "\n",
         obstacles.empty() ? "\n" : obstacles, stateText(scene, model.arm, scene.start),
-        stateText(scene, model.arm, scene.goal));
+        stateText(scene, model.arm, scene.goal), proofText(scene.infeasible));
 }
 }  // namespace narrows

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "kernel/PlanarModel.h"
+#include "validity/Confinement.h"
 
 namespace narrows
 {
@@ -25,6 +26,7 @@ struct ArmScene
     double radius = 0.0;                                     ///< half-width of the links
     AngleConvention convention = AngleConvention::Absolute;  ///< how the file counts angles
     bool selfCollision = false;
+    std::optional<Confinement> infeasible = std::nullopt;  ///< a proof that there is no way, if one is known
 };
 
 /// To so many decimals (<= 12). Files hold rounded numbers, so that the last bits of a machine's sine do not show.

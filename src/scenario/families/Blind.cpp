@@ -2,8 +2,10 @@
 // blind: a chain on a sliding base stands before a wall and shall stand behind it; the slide runs through gaps in
 // walls. Neither end of the problem has a link in a gap, so that no search tree stands in the passage: it must be found
 // and entered from outside, and followed until the whole chain and its base are through. The witness stretches the
-// chain along the slide, carries it through and bends it again.
+// chain along the slide, carries it through and bends it again. Where `half_width` is negative the obstacles overlap:
+// the base cannot pass them, and there is no way.
 #include <cmath>
+#include <stdexcept>
 
 #include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
@@ -19,6 +21,7 @@ using Eigen::VectorXd;
 
 constexpr int mostDraws = 2000;
 constexpr double leastClearance = 0.04;
+constexpr double narrowest = 1e-8;
 constexpr double between = 0.8;  ///< of neighbouring gaps
 
 class Blind
@@ -35,6 +38,8 @@ public:
 
     ArmScene draw()
     {
+        if (std::abs(halfWidth_) < narrowest)
+            throw std::invalid_argument("half_width: must be 1e-8 or more from 0");
         drawUntilOneWillDo(mostDraws,
                            [this]()
                            {
@@ -115,13 +120,22 @@ private:
         {
             scene_.start = bent(before_);
             scene_.goal = bent(behind_);
-            scene_.witness = {scene_.start, stretched(before_), stretched(behind_), scene_.goal};
+            writeProof();
             if (clearance(scene_, scene_.start) > leastClearance && clearance(scene_, scene_.goal) > leastClearance &&
                 judgeMotion(scene_, scene_.start, scene_.goal) == Motion::Blocked &&
-                judgePath(scene_, scene_.witness) == Motion::Free)
+                (scene_.infeasible || judgePath(scene_, scene_.witness) == Motion::Free))
                 return true;
         }
         return false;
+    }
+
+    /// That there is a way; or that the base stays between the slide's lower limit and the first gap.
+    void writeProof()
+    {
+        if (halfWidth_ > 0.0)
+            scene_.witness = {scene_.start, stretched(before_), stretched(behind_), scene_.goal};
+        else
+            scene_.infeasible = Confinement{{scene_.slide->lower, 0.0}, {0.0, 0.0}};
     }
 
     int links_;
@@ -144,7 +158,7 @@ Family blindFamily()
     return {"blind",
             "a chain on a slide is carried through gaps; no link is in one at the start or at the goal",
             {{"links", Kind::Whole, 3, 1, 100, "of the chain, 0.5 to 0.9 long each"},
-             {"half_width", Kind::Real, 0.01, 1e-8, 0.2, "of every gap"},
+             {"half_width", Kind::Real, 0.01, -0.1, 0.2, "of every gap; below 0 they are closed, and there is no way"},
              {"gaps", Kind::Whole, 1, 1, 3, "0.8 apart"},
              gapShapeParameter(),
              {"seed", Kind::Whole, 1, 0, 1e9, "of the random numbers: lengths, obstacles, direction, both ends"}},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // mixed: links of equal length among obstacles of all kinds. With `witness` start, goal and two postures between them
 // are drawn first and obstacles that the way past these would touch are drawn again: every scene then has a way.
-// Without, as `circles` does it, nothing is known, and nothing favours scenes that are easy to find a way in.
+// Without, as `circles` does it, nothing is known, and nothing favours scenes that are easy to find a way in. With
+// `sealed` two walls come first that the first link cannot pass, one on either way round from start to goal: no way.
 #include <cmath>
 #include <stdexcept>
 
@@ -27,7 +28,8 @@ public:
     explicit Mixed(const FamilyValues &values)
       : links_(static_cast<int>(values.at("links"))),
         clearance_(values.at("clearance")),
-        witness_(values.at("witness") != 0.0),
+        sealed_(values.count("sealed") != 0 && values.at("sealed") != 0.0),
+        witness_(values.at("witness") != 0.0 && !sealed_),
         fewest_(static_cast<int>(values.at("min_obstacles"))),
         most_(static_cast<int>(values.at("max_obstacles"))),
         random_(static_cast<std::uint64_t>(values.at("seed")))
@@ -44,7 +46,7 @@ public:
                                scene_ = {};
                                scene_.lengths = cut({reach}, links_);
                                drawWay();
-                               return drawObstacles() &&
+                               return (!sealed_ || drawSeal()) && drawObstacles() &&
                                       judgeMotion(scene_, scene_.start, scene_.goal) == Motion::Blocked;
                            });
         return scene_;
@@ -78,10 +80,45 @@ private:
         scene_.witness.push_back(scene_.goal);
     }
 
+    /// One wall in each of the two sectors between the first link's directions at the start and at the goal.
+    bool drawSeal()
+    {
+        const double way = std::remainder(scene_.goal[0] - scene_.start[0], 2.0 * M_PI);
+        const double otherWay = way - std::copysign(2.0 * M_PI, way);
+        Confinement proof{};
+        for (const double sector : {way, otherWay})
+        {
+            const double direction = rounded(scene_.start[0] + random_.uniform(0.3, 0.7) * sector, decimals);
+            (sector > 0.0 ? proof.first.upper : proof.first.lower) = direction;
+            proof.along[sector > 0.0 ? 1 : 0] = drawWall(direction);
+            if (!fits())
+                return false;
+        }
+        scene_.infeasible = proof;
+        return true;
+    }
+
+    /// A plate along a ray from the base, from some way out on the first link. \return a place on the link that it
+    /// covers
+    double drawWall(double direction)
+    {
+        const double link = scene_.lengths.front();
+        const double begin = random_.uniform(0.4, 0.7) * link;
+        const double end = link + random_.uniform(0.1, 1.0);
+        const double halfThickness = std::min(0.05, 0.1 * link);
+        const Vector2d outwards(std::cos(direction), std::sin(direction));
+        const Vector2d across(-outwards.y(), outwards.x());
+        Polygon wall;
+        for (const auto &[out, side] : {std::pair{begin, -1.0}, {end, -1.0}, {end, 1.0}, {begin, 1.0}})
+            wall.vertices.push_back(rounded(Vector2d(out * outwards + side * halfThickness * across), 12));
+        addObstacle(scene_, wall);
+        return rounded(0.5 * (begin + link), decimals);
+    }
+
     bool drawObstacles()
     {
         constexpr int triesPerObstacle = 30;
-        const int count = random_.whole(fewest_, most_);
+        const int count = static_cast<int>(scene_.obstacles.size()) + random_.whole(fewest_, most_);
         for (int tries = 0; static_cast<int>(scene_.obstacles.size()) < count; ++tries)
         {
             if (tries == triesPerObstacle * count)
@@ -124,6 +161,7 @@ private:
 
     int links_;
     double clearance_;
+    bool sealed_;
     bool witness_;
     int fewest_;
     int most_;
@@ -143,6 +181,7 @@ Family mixedFamily()
              {"clearance", Kind::Real, 0.03, 0.0, 1.0, "start and goal have more"},
              {"witness", Kind::Flag, 1.0, 0.0, 1.0,
               "obstacles leave a way free that was drawn before them; if not, there may be none"},
+             {"sealed", Kind::Flag, std::nullopt, 0.0, 1.0, "walls stop the first link, so that there is no way"},
              {"seed", Kind::Whole, 1, 0, 1e9, "of the random numbers"}},
             [](const FamilyValues &values)
             {

@@ -16,6 +16,7 @@ function content(figure: Figure): [string[], Row[]] {
         ),
       ];
     case "steps":
+    case "trend":
       return [
         ["panel", "planner", figure.x, figure.y],
         figure.panels.flatMap((panel) =>

@@ -10,6 +10,7 @@ import { intervalsChart } from "./intervals";
 import { phaseChart } from "./phase";
 import { outcomeColours, stackedChart } from "./stacked";
 import { stepsChart } from "./steps";
+import { trendChart } from "./trend";
 
 const WIDTH = 760;
 
@@ -25,6 +26,8 @@ function draw(
       return intervalsChart(figure.panels[panel], figure.x, styles, width);
     case "steps":
       return stepsChart(figure.panels[panel], figure, styles, width, hidden);
+    case "trend":
+      return trendChart(figure.panels[panel], figure, styles, width, hidden);
     case "stacked":
       return stackedChart(figure.panels[panel], figure.x, width);
     case "phase":
@@ -36,7 +39,7 @@ function draw(
 
 /** Names and how they are drawn. */
 function legend(figure: Figure, panel: number, styles: Map<string, Style>): [string, Style][] {
-  if (figure.kind === "steps")
+  if (figure.kind === "steps" || figure.kind === "trend")
     return figure.panels[panel].series.map(({ name }) => [
       name,
       styles.get(name) ?? { stroke: "currentColor", dash: "" },
@@ -115,7 +118,8 @@ class Card {
     const { figure, panel, styles, hidden } = this;
     this.chart = draw(figure, panel, styles, this.width, hidden);
     this.place.replaceChildren(this.chart);
-    const toggle = figure.kind === "steps" ? (name: string) => () => this.toggle(name) : () => undefined;
+    const curves = figure.kind === "steps" || figure.kind === "trend";
+    const toggle = curves ? (name: string) => () => this.toggle(name) : () => undefined;
     const names = legend(figure, panel, styles);
     this.names.replaceChildren(...names.map(([name, style]) => swatch(name, style, !hidden.has(name), toggle(name))));
   }
