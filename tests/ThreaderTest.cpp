@@ -126,10 +126,27 @@ TEST(Threader, BentStepsSpareSamples)
     double with = 0.0, without = 0.0;
     for (std::uint32_t seed = 1; seed <= 5; ++seed)
     {
-        with += static_cast<double>(solve(paperCase(3), seed).problem.counts->motionChecks);
-        without += static_cast<double>(solve(paperCase(3), seed, {{"bending", "0"}}).problem.counts->motionChecks);
+        with += static_cast<double>(solve(paperCase(3), seed, {{"cells", "0"}}).problem.counts->motionChecks);
+        without += static_cast<double>(
+            solve(paperCase(3), seed, {{"cells", "0"}, {"bending", "0"}}).problem.counts->motionChecks);
     }
     EXPECT_LT(with, 0.5 * without);
+}
+
+// Steps by cells of the tip, of which winding passages without gaps get most.
+TEST(Threader, CellsFindTheWayThroughMazes)
+{
+    double byCells = 0.0;
+    for (const std::string seed : {"1", "2", "3", "4", "5"})
+    {
+        const Scenario scenario = generated("maze", {{"links", "12"}, {"seed", seed}});
+        const Attempt attempt = solve(scenario, 1);
+        expectSolved(scenario, attempt);
+        EXPECT_LT(attempt.problem.counts->motionChecks, 3000u);
+        EXPECT_EQ(attempt.measure("centred_steps"), 0.0);
+        byCells += attempt.measure("solved_by_cells");
+    }
+    EXPECT_GE(byCells, 3.0);
 }
 
 TEST(Threader, GoesStraightWhereItCan)

@@ -105,6 +105,7 @@ TEST_P(OverlapOfCase, SaysWhatTheCheckerSaysAndHowToGetOut)
         const VectorXd q = randomVector(random, model.arm.dimension(), M_PI);
         const double depth = overlap.deepest(q, gradient);
         ASSERT_EQ(depth < 0.0, !checker->isFree(q)) << q.transpose();
+        ASSERT_EQ(overlap.isMet(q), depth < 0.0) << q.transpose();
         if (!(depth < 0.0))
             continue;
         ++deep;
@@ -200,6 +201,9 @@ TEST(JointChart, KeepsTheSpacesOwnValuesWithLimits)
     EXPECT_NEAR(chart.gradient(c).dot(step), c.dot(moved), 1e-12);
     EXPECT_EQ(chart.lower()[1], -1.0);
     EXPECT_TRUE(std::isinf(chart.periods()[1]));
+    VectorXd far{{5.0, 2.0, -5.0, -0.5}};
+    chart.enforceLimits(far);
+    EXPECT_EQ(far, (VectorXd{{5.0, 1.0, -5.0, -0.5}}));
 }
 
 TEST(JointChart, TurnsJointsAgainstTheOnesThatCarryThem)

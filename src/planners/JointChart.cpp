@@ -71,6 +71,13 @@ void JointChart::write(const Eigen::VectorXd &x, double *values) const
     }
 }
 
+void JointChart::enforceLimits(Eigen::VectorXd &x) const
+{
+    for (Eigen::Index j = 0; j < dimension(); ++j)
+        if (!std::isfinite(periods_[j]))
+            x[j] = std::clamp(x[j], lower_[j], upper_[j]);
+}
+
 void JointChart::toConfiguration(const Eigen::VectorXd &x, Eigen::VectorXd &q) const
 {
     q = x;

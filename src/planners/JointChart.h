@@ -15,6 +15,7 @@ namespace narrows
 class JointChart
 {
 public:
+    JointChart() = default;  ///< of a space without joints
     explicit JointChart(const ArmStateSpace &space);
 
     Eigen::Index dimension() const { return static_cast<Eigen::Index>(periods_.size()); }
@@ -27,6 +28,8 @@ public:
     void read(const ob::State *state, Eigen::VectorXd &x) const;
     /// The values of the state at x.
     void write(const Eigen::VectorXd &x, double *values) const;
+    /// Brings coordinates that do not wrap into their bounds.
+    void enforceLimits(Eigen::VectorXd &x) const;
     /// The kernel's configuration (planar arms: absolute angles), with the full turns of x.
     void toConfiguration(const Eigen::VectorXd &x, Eigen::VectorXd &q) const;
     /// The coordinates of a configuration, or those of a difference of configurations for a difference: it is linear.

@@ -136,16 +136,22 @@ const Meanings &threader()
         {"bending", "push steps that end in an obstacle out of it"},
         {"cells", "take random steps from where the tip has hardly been"},
         {"centring", "go on through the middle of gaps where a step is blocked"},
+        {"clearance", "that polish=clearance aims at, as a part of the arm's reach"},
         {"full", "search all of joint space"},
         {"gap_width", "half width of the widest gaps that are threaded, as a part of the arm's reach"},
+        {"lengthening", "of links that are led through gaps, at both ends, in sizes of the gap, at most"},
+        {"narrow", "share of the centred steps in which only the narrowest gaps count"},
+        {"polish", "of the solution: none, length (shorter) or clearance (also away from everything)"},
         {"range", "longest edge in all of joint space, radians; 0: long and short ones by turns"},
+        {"recentring", "go to the middle itself where gaps leave nothing of the way"},
         {"rounds", "of all members before giving up; each is half as long again"},
         {"slice_box", "half the side of what is sampled in slices, radians per root of joints and dimensions"},
         {"slice_dimensions", "of the largest slice"},
         {"slice_range", "longest edge in slices, radians; 0: 0.8"},
         {"slices", "search slices of few dimensions through start and goal"},
+        {"square", "share of the centred steps in which all links stand square to their gaps"},
         {"straight", "try the straight motions first"},
-        {"traces", "follow some of HPPM's curves from the fifth round on"},
+        {"traces", "follow some of HPPM's curves, from the fifth round on or where trees thread gaps"},
     };
     return meanings;
 }

@@ -8,6 +8,8 @@
 #include "kernel/threading/MidGap.h"
 #include "kernel/threading/SpatialMidGap.h"
 #include "kernel/threading/SpatialOverlap.h"
+#include "planners/ElasticBand.h"
+#include "spaces/OmplVersions.h"
 
 namespace narrows
 {
@@ -18,8 +20,8 @@ Threader::Threader(const ob::SpaceInformationPtr &si, std::shared_ptr<const Plan
     planar_(std::move(planar)),
     spatial_(std::move(spatial)),
     repulsion_(std::move(repulsion)),
-    space_(si->getStateSpace()->as<ArmStateSpace>()),
-    chart_(*space_)
+    space_(std::dynamic_pointer_cast<const ArmStateSpace>(si->getStateSpace())),
+    chart_(space_ ? JointChart(*space_) : JointChart())
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
@@ -28,31 +30,30 @@ Threader::Threader(const ob::SpaceInformationPtr &si, std::shared_ptr<const Plan
 
 ob::PlannerStatus Threader::solve(const ob::PlannerTerminationCondition &ptc)
 {
-    checkValidity();
-    if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
-        return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
+    if (space_ == nullptr)
+    {
+        reason_ = "space";
+        return ob::PlannerStatus::ABORT;
+    }
+    const ob::PlannerStatus opened = open(ptc);
+    if (opened != ob::PlannerStatus::UNKNOWN)
+        return opened;
     if (!search_)
     {
-        const ob::PlannerStatus begun = begin(ptc);
-        if (begun != ob::PlannerStatus::UNKNOWN)
-            return begun;
+        if (!begin(ptc))
+            return ob::PlannerStatus::INVALID_GOAL;
         if (straight_ && goStraight())
-            return succeed("straight");
+            return succeed("straight", ptc);
     }
     while (!ptc && !members_.empty() && round_ < rounds_)
     {
         const Member &member = members_[member_];
         if (run(members_[member_], ptc))
-            return succeed(member.kind == Member::Kind::Traces  ? "traces"
-                           : member.kind == Member::Kind::Slice ? "slice"
-                           : member.kind == Member::Kind::Cells ? "cells"
-                                                                : "full");
+            return succeed(traitOf(member.kind).name, ptc);
         if (!ptc)
             passOn();
     }
     measure();
-    if (solvedBefore())
-        return ob::PlannerStatus::EXACT_SOLUTION;
     if (ptc)
         return ob::PlannerStatus::TIMEOUT;
     reason_ = members_.empty() ? "no_member" : "rounds";
@@ -63,7 +64,7 @@ std::unique_ptr<const GapEquations> Threader::makeGapEquations() const
 {
     if (centring_ && planar_)
     {
-        const double widest = gapWidth_ * planar_->arm.reach();
+        const double widest = gapWidth_ * reach();
         auto fixed =
             std::make_unique<MidGap>(planar_->arm, findGaps(planar_->obstacles, planar_->arm.radius(), widest));
         if (planar_->selfCollision)
@@ -71,7 +72,7 @@ std::unique_ptr<const GapEquations> Threader::makeGapEquations() const
         return fixed;
     }
     if (centring_ && spatial_)
-        return std::make_unique<SpatialMidGap>(*spatial_, gapWidth_ * spatial_->arm.reach());
+        return std::make_unique<SpatialMidGap>(*spatial_, gapWidth_ * reach());
     return nullptr;
 }
 
@@ -84,39 +85,47 @@ std::unique_ptr<Overlap> Threader::makeOverlap() const
     return nullptr;
 }
 
-ob::PlannerStatus Threader::begin(const ob::PlannerTerminationCondition &ptc)
+bool Threader::begin(const ob::PlannerTerminationCondition &ptc)
 {
-    const ob::State *start = pis_.nextStart();
-    if (start == nullptr)
-        return ob::PlannerStatus::INVALID_START;
+    // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when there is none left.
+    const ob::State *goal = pis_.nextGoal(ptc);
+    if (goal == nullptr)
+        return false;
     const auto findGaps = [this]
     {
         return makeGapEquations();
     };
-    auto search = std::make_unique<ThreadingSearch>(si_, chart_, findGaps, makeOverlap());
-    for (; start != nullptr; start = pis_.nextStart())
-        search->addStart(start);
-    // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when there is none left.
-    const ob::State *goal = pis_.nextGoal(ptc);
-    if (goal == nullptr)
-    {
-        pis_.restart();
-        return ob::PlannerStatus::INVALID_GOAL;
-    }
-    search->addGoal(goal);
-    search_ = std::move(search);
+    search_ = std::make_unique<ThreadingSearch>(si_, chart_, findGaps, makeOverlap(), steps_);
+    search_->addStart(startState_->get());
+    while (const ob::State *start = pis_.nextStart())
+        search_->addStart(start);
+    search_->addGoal(goal);
     makeMembers();
-    return ob::PlannerStatus::UNKNOWN;
+    return true;
 }
 
-ob::PlannerStatus Threader::succeed(const std::string &member)
+ob::PlannerStatus Threader::succeed(const std::string &member, const ob::PlannerTerminationCondition &ptc)
 {
-    if (member != "traces")
+    if (member != traitOf(Member::Kind::Traces).name)
         pdef_->addSolutionPath(search_->path(), false, 0.0, getName());
+    if (polish_ != "none")
+        polish(ptc);
     reason_.clear();
     measure();
     measures_["solved_by_" + member] = 1.0;
     return ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+void Threader::polish(const ob::PlannerTerminationCondition &ptc)
+{
+    auto &path = *pdef_->getSolutionPath()->as<og::PathGeometric>();
+    og::PathSimplifier simplifier(si_);
+    simplifier.reduceVertices(path);
+    shortcutRandomly(simplifier, path);
+    BandWish wish;
+    if (polish_ == "clearance")
+        wish.clearance = clearance_ * reach();
+    measures_["band_moves"] = tightenBand(si_, chart_, path, wish, ptc).moves;
 }
 
 void Threader::measure()
@@ -124,6 +133,7 @@ void Threader::measure()
     const ThreadingSearch::Counts &counts = search_->counts();
     measures_["nodes"] = search_->tree(0).size() + search_->tree(1).size();
     measures_["samples"] = static_cast<double>(counts.samples);
+    measures_["draws"] = static_cast<double>(counts.draws);
     measures_["bent_steps"] = static_cast<double>(counts.bent);
     measures_["blocked_steps"] = static_cast<double>(counts.blocked);
     measures_["centred_steps"] = static_cast<double>(counts.centred);

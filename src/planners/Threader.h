@@ -26,20 +26,23 @@ namespace narrows
 
    Members, one after the other in rounds that grow: the straight motions; trees in all of joint space; trees in slices
    of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm; random
-   steps from where the tip has hardly been (TipCells); curves of HPPM. Trees are kept from one member to the next. The
-   whole of joint space is among them, so that the planner is probabilistically complete. The same seed gives the same
-   answer.
+   steps from where the tip has hardly been (TipCells), most of all if no gaps are threaded; curves of HPPM. Trees are
+   kept from one member to the next. The whole of joint space is among them, so that the planner is probabilistically
+   complete. The same seed gives the same answer.
    @par External documentation
    docs/threader.md
 
    Parameters: `straight`, `full`, `slices`, `cells`, `traces` switch members on and off, `centring` and `bending` the
    two ways on from a blocked step; `range` longest edge in joint space (0: several lengths in turn); `slice_range`,
    `slice_box`, `slice_dimensions`; `gap_width` widest gap that is threaded, as a part of the arm's reach; `rounds`
-   before giving up.
+   before giving up; `polish` makes the solution shorter (`length`) or keeps it `clearance` away from everything
+   (`clearance`): shortcuts (OMPL), then an elastic band (ElasticBand.h). `lengthening`, `square`, `narrow` and
+   `recentring` take centred steps apart (ThreadingSearch::Centring).
 */
 class Threader : public ModelPlanner
 {
 public:
+    /// \param si of an ArmStateSpace
     /// \param planar, spatial robot and obstacles, where gaps are looked for; that of the other kind of robot is null
     /// \param repulsion makes the poles for the curves, when the first is followed
     Threader(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> planar,
@@ -47,12 +50,15 @@ public:
              std::function<std::shared_ptr<const RepulsionModel>()> repulsion);
 
     /// Besides OMPL's usual statuses: ABORT when all rounds have been made in vain (reason() is `rounds`) or every
-    /// member is switched off (`no_member`). A later call goes on where the last one stopped.
+    /// member is switched off (`no_member`), or the space is no ArmStateSpace (`space`). A later call goes on where the
+    /// last one stopped.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
-    void getPlannerData(ob::PlannerData &data) const override;
+    void clear() override;                                      ///< Forgets the search, not the parameters.
+    void getPlannerData(ob::PlannerData &data) const override;  ///< What has been searched, starts and goals marked.
 
+    ///@{
+    /// A parameter: meaning, unit and range are those of params() and the text above.
     /// \throws std::invalid_argument from every setter if the value is out of range.
     void setStraight(bool on) { straight_ = on; }
     bool getStraight() const { return straight_; }
@@ -78,8 +84,21 @@ public:
     int getSliceDimensions() const { return sliceDimensions_; }
     void setGapWidth(double share);
     double getGapWidth() const { return gapWidth_; }
+    void setLengthening(double sizes);  ///< of links that are threaded, at both ends, at most, in sizes of the gap
+    double getLengthening() const { return steps_.lengthening; }
+    void setSquare(double share);  ///< of the centred steps: all links square to their gaps
+    double getSquare() const { return steps_.square; }
+    void setNarrow(double share);  ///< of the centred steps: only the narrowest gaps count
+    double getNarrow() const { return steps_.narrow; }
+    void setRecentring(bool on) { steps_.recentring = on; }
+    bool getRecentring() const { return steps_.recentring; }
+    void setPolish(const std::string &aim);  ///< none, length or clearance
+    const std::string &getPolish() const { return polish_; }
+    void setClearance(double share);  ///< that polishing aims at, as a part of the arm's reach
+    double getClearance() const { return clearance_; }
     void setRounds(int rounds);
     int getRounds() const { return rounds_; }
+    ///@}
 
 private:
     /// One entry of the schedule.
@@ -93,15 +112,25 @@ private:
             Traces
         };
         Kind kind;
-        int dimension;                          ///< of a slice
-        std::optional<LowDiscrepancy> samples;  ///< of a slice, from its first turn on
+        int dimension = 0;                           ///< of a slice
+        std::optional<LowDiscrepancy> samples = {};  ///< of a slice, from its first turn on
     };
+    /// What all members of a kind have in common.
+    struct Trait
+    {
+        const char *name;  ///< of the measure solved_by_...
+        int share;         ///< samples for every one in all of joint space
+        int windingShare;  ///< the same where passages wind but are not narrow (ThreadingSearch::isWinding)
+        double range;      ///< longest step, radians
+    };
+    static const Trait &traitOf(Member::Kind kind);
 
     void declareParameters();
     /// Null without gaps, or if centred steps are switched off.
     std::unique_ptr<const GapEquations> makeGapEquations() const;
     std::unique_ptr<Overlap> makeOverlap() const;
-    ob::PlannerStatus begin(const ob::PlannerTerminationCondition &ptc);
+    /// Plants the trees. False if there is no goal.
+    bool begin(const ob::PlannerTerminationCondition &ptc);
     void makeMembers();
     void makeSlices();
     bool goStraight();
@@ -116,22 +145,27 @@ private:
     void addGoals();
     /// It is the next member's turn; with the last one's, a round ends.
     void passOn();
-    ob::PlannerStatus succeed(const std::string &member);
+    ob::PlannerStatus succeed(const std::string &member, const ob::PlannerTerminationCondition &ptc);
+    /// Makes the solution shorter, or keeps it away from everything, as far as time allows.
+    void polish(const ob::PlannerTerminationCondition &ptc);
+    double reach() const { return planar_ ? planar_->arm.reach() : spatial_->arm.reach(); }
     void measure();
     /// A random point of the unit cube.
     Eigen::VectorXd randomPoint(Eigen::Index dimension);
-    bool solvedBefore() const { return pdef_->hasExactSolution(); }
 
     std::shared_ptr<const PlanarModel> planar_;
     std::shared_ptr<const SpatialModel> spatial_;
     std::function<std::shared_ptr<const RepulsionModel>()> repulsion_;
-    const ArmStateSpace *space_;
+    std::shared_ptr<const ArmStateSpace> space_;  ///< null if there is nothing to plan in
     JointChart chart_;
 
     bool straight_ = true, full_ = true, cells_ = true, slices_ = true, centring_ = true, bending_ = true,
          traces_ = true;
     double range_ = 0.0, sliceRange_ = 0.0, sliceBox_ = 3.0, gapWidth_ = 0.05;
     int sliceDimensions_ = 5, rounds_ = 1000;
+    ThreadingSearch::Centring steps_;
+    std::string polish_ = "none";
+    double clearance_ = 0.02;
 
     ompl::RNG rng_;
     std::unique_ptr<ThreadingSearch> search_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The schedule of Threader and what its members do when it is their turn.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "planners/Threader.h"
@@ -10,8 +11,6 @@ namespace narrows
 namespace
 {
 constexpr int firstBudget = 24;  ///< samples in all of joint space in the first round
-constexpr int sliceShare = 5;    ///< of that number, samples per slice
-constexpr int cellShare = 4;     ///< of it, steps by cells
 constexpr double growth = 1.5;   ///< of that, from round to round
 constexpr double mostSamples = 1e6;
 constexpr int firstTraces = 4;  ///< round of the first curves
@@ -19,10 +18,15 @@ constexpr int tracesPerRound = 4;
 constexpr int leastDimension = 3;   ///< of slices
 constexpr double longRange = 3.0;   ///< radians: in the open
 constexpr double shortRange = 0.5;  ///< in narrow places
-constexpr double cellRange = 1.0;   ///< radians by which a joint turns
-constexpr double defaultSliceRange = 0.8;
-constexpr int openSamples = 12;  ///< that are taken for samples in the open, to begin with
+constexpr int openSamples = 12;     ///< that are taken for samples in the open, to begin with
 }  // namespace
+
+const Threader::Trait &Threader::traitOf(Member::Kind kind)
+{
+    static const std::array<Trait, 4> traits{
+        {{"full", 1, 1, longRange}, {"slice", 5, 1, 0.8}, {"cells", 1, 40, 2.0}, {"traces", 0, 0, 0.0}}};
+    return traits[static_cast<std::size_t>(kind)];
+}
 
 Eigen::VectorXd Threader::randomPoint(Eigen::Index dimension)
 {
@@ -36,17 +40,17 @@ void Threader::makeMembers()
 {
     members_.clear();
     if (full_)
-        members_.push_back({Member::Kind::Full, 0, std::nullopt});
+        members_.push_back({Member::Kind::Full});
+    if (traces_ && repulsion_)
+        members_.push_back({Member::Kind::Traces});
     if (slices_)
     {
         const int most = std::min(sliceDimensions_, static_cast<int>(chart_.dimension()));
         for (int dimension = std::min(leastDimension, most); dimension <= most; ++dimension)
-            members_.push_back({Member::Kind::Slice, dimension, std::nullopt});
+            members_.push_back({Member::Kind::Slice, dimension});
     }
     if (cells_)
-        members_.push_back({Member::Kind::Cells, 0, std::nullopt});
-    if (traces_ && repulsion_)
-        members_.push_back({Member::Kind::Traces, 0, std::nullopt});
+        members_.push_back({Member::Kind::Cells});
 }
 
 void Threader::makeSlices()
@@ -78,9 +82,12 @@ bool Threader::run(Member &member, const ob::PlannerTerminationCondition &ptc)
         return false;  // what it would add is in the smaller ones
     if (member.kind == Member::Kind::Slice && !member.samples)
         member.samples.emplace(randomPoint(member.dimension));
-    const int share = member.kind == Member::Kind::Slice   ? sliceShare
-                      : member.kind == Member::Kind::Cells ? cellShare
-                                                           : 1;
+    const Trait &trait = traitOf(member.kind);
+    // What looks winding may only hide its gap: every other round, the first too, goes on as if it did. But cells come
+    // early: slices solve at once what bends evenly, if at all.
+    const bool isWinding =
+        search_->isWinding() && (round_ % 2 == 1 || (round_ == 0 && member.kind == Member::Kind::Cells));
+    const int share = isWinding ? trait.windingShare : trait.share;
     const int budget = static_cast<int>(std::min(share * firstBudget * std::pow(growth, round_), mostSamples));
     for (; used_ < budget && !ptc; ++used_)
     {
@@ -98,7 +105,7 @@ bool Threader::grow(Member &member, const ob::PlannerTerminationCondition &ptc)
         case Member::Kind::Slice:
             return growSlice(member, ptc);
         case Member::Kind::Cells:
-            return search_->explore(cellRange, rng_, ptc);
+            return search_->explore(traitOf(member.kind).range, rng_, ptc);
         default:
             return growFull(ptc);
     }
@@ -122,14 +129,16 @@ bool Threader::growSlice(Member &member, const ob::PlannerTerminationCondition &
     const double box = sliceBox_ * std::sqrt(joints / member.dimension);
     Eigen::VectorXd place = box * (2.0 * member.samples->next().array() - 1.0);
     place[0] += 0.5 * (search_->root(1, 0) - search_->root(0, 0)).norm();
-    const double range = sliceRange_ > 0.0 ? sliceRange_ : defaultSliceRange;
+    const double range = sliceRange_ > 0.0 ? sliceRange_ : traitOf(member.kind).range;
     return search_->grow({member.dimension, range}, slices.point(place), rng_, ptc);
 }
 
 bool Threader::trace(const ob::PlannerTerminationCondition &ptc)
 {
-    // In a maze a curve costs as much as dozens of samples and seldom arrives: trees come first.
-    if (round_ < firstTraces)
+    // In a maze a curve costs as much as dozens of samples and seldom arrives: trees come first. Where they thread
+    // gaps, one curve may go through several at once; what a sample costs there grows with the joints.
+    const bool isThreading = search_->isThreading();
+    if (round_ < firstTraces && !isThreading)
         return false;
     if (!curves_)
     {
@@ -137,7 +146,7 @@ bool Threader::trace(const ob::PlannerTerminationCondition &ptc)
         curves_->setName(getName());
         curves_->setProblemDefinition(pdef_);
     }
-    tries_ += tracesPerRound;
+    tries_ += isThreading ? std::max(tracesPerRound, static_cast<int>(chart_.dimension())) : tracesPerRound;
     curves_->setTries(tries_);
     return curves_->solve(ptc) == ob::PlannerStatus::EXACT_SOLUTION;
 }

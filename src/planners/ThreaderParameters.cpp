@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 
 #include "planners/Require.h"
 #include "planners/Threader.h"
 
 namespace narrows
 {
+namespace
+{
+/// The value, which must lie between the two others.
+template <typename Number>
+Number within(Number least, Number value, Number most, const std::string &name)
+{
+    require(value >= least && value <= most, fmt::format("{} must lie between {} and {}", name, least, most));
+    return value;
+}
+}  // namespace
+
 void Threader::declareParameters()
 {
     declareParam<bool>("straight", this, &Threader::setStraight, &Threader::getStraight, "0,1");
@@ -19,42 +31,69 @@ void Threader::declareParameters()
     declareParam<double>("slice_box", this, &Threader::setSliceBox, &Threader::getSliceBox, "0.1:0.1:10.");
     declareParam<int>("slice_dimensions", this, &Threader::setSliceDimensions, &Threader::getSliceDimensions, "1:1:20");
     declareParam<double>("gap_width", this, &Threader::setGapWidth, &Threader::getGapWidth, "0.001:0.001:1.");
+    declareParam<double>("lengthening", this, &Threader::setLengthening, &Threader::getLengthening, "0.:0.1:2.");
+    declareParam<double>("square", this, &Threader::setSquare, &Threader::getSquare, "0.:0.05:1.");
+    declareParam<double>("narrow", this, &Threader::setNarrow, &Threader::getNarrow, "0.:0.05:1.");
+    declareParam<bool>("recentring", this, &Threader::setRecentring, &Threader::getRecentring, "0,1");
+    declareParam<std::string>("polish", this, &Threader::setPolish, &Threader::getPolish, "none,length,clearance");
+    declareParam<double>("clearance", this, &Threader::setClearance, &Threader::getClearance, "0.:0.001:1.");
     declareParam<int>("rounds", this, &Threader::setRounds, &Threader::getRounds, "1:1:1000");
 }
 
 void Threader::setRange(double range)
 {
-    require(range >= 0.0 && range <= 100.0, "range must lie between 0 and 100");
-    range_ = range;
+    range_ = within(0.0, range, 100.0, "range");
 }
 
 void Threader::setSliceRange(double range)
 {
-    require(range >= 0.0 && range <= 100.0, "slice_range must lie between 0 and 100");
-    sliceRange_ = range;
+    sliceRange_ = within(0.0, range, 100.0, "slice_range");
 }
 
 void Threader::setSliceBox(double box)
 {
-    require(box >= 0.1 && box <= 10.0, "slice_box must lie between 0.1 and 10");
-    sliceBox_ = box;
+    sliceBox_ = within(0.1, box, 10.0, "slice_box");
 }
 
 void Threader::setSliceDimensions(int dimensions)
 {
-    require(dimensions >= 1 && dimensions <= 20, "slice_dimensions must lie between 1 and 20");
-    sliceDimensions_ = dimensions;
+    sliceDimensions_ = within(1, dimensions, 20, "slice_dimensions");
 }
 
 void Threader::setGapWidth(double share)
 {
-    require(share >= 0.001 && share <= 1.0, "gap_width must lie between 0.001 and 1");
-    gapWidth_ = share;
+    gapWidth_ = within(0.001, share, 1.0, "gap_width");
+}
+
+void Threader::setLengthening(double sizes)
+{
+    steps_.lengthening = within(0.0, sizes, 2.0, "lengthening");
+}
+
+void Threader::setSquare(double share)
+{
+    steps_.square = within(0.0, share, 1.0, "square");
+}
+
+void Threader::setNarrow(double share)
+{
+    steps_.narrow = within(0.0, share, 1.0, "narrow");
+}
+
+void Threader::setPolish(const std::string &aim)
+{
+    require(aim == "none" || aim == "length" || aim == "clearance",
+            "polish is none, length or clearance, not \"" + aim + "\"");
+    polish_ = aim;
+}
+
+void Threader::setClearance(double share)
+{
+    clearance_ = within(0.0, share, 1.0, "clearance");
 }
 
 void Threader::setRounds(int rounds)
 {
-    require(rounds >= 1 && rounds <= 1000, "rounds must lie between 1 and 1000");
-    rounds_ = rounds;
+    rounds_ = within(1, rounds, 1000, "rounds");
 }
 }  // namespace narrows

@@ -2,12 +2,14 @@
 #include "planners/ThreadingSearch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace narrows
 {
 namespace
 {
 constexpr double firstSlide = 0.1;  ///< radians
+constexpr int mostDraws = 100;      ///< of a step whose end is free
 constexpr double twoPi = boost::math::constants::two_pi<double>();
 
 double *valuesOf(ob::State *state)
@@ -18,10 +20,11 @@ double *valuesOf(ob::State *state)
 
 ThreadingSearch::ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart,
                                  std::function<std::unique_ptr<const GapEquations>()> midGap,
-                                 std::unique_ptr<Overlap> collision)
+                                 std::unique_ptr<Overlap> collision, const Centring &centring)
   : si_(si),
     chart_(chart),
     makeMidGap_(std::move(midGap)),
+    centring_(centring),
     collision_(std::move(collision)),
     slices_{Eigen::VectorXd::Zero(chart.dimension()), Eigen::MatrixXd(chart.dimension(), 0)},
     trees_{ThreadingTree(chart.periods()), ThreadingTree(chart.periods())},
@@ -118,17 +121,16 @@ bool ThreadingSearch::explore(double range, ompl::RNG &random, const ob::Planner
     const int side = turn_;
     turn_ = 1 - side;
     const int node = cellsOf(side).choose(random);
-    turning_.resize(chart_.dimension());
-    for (Eigen::Index j = 0; j < turning_.size(); ++j)
-        turning_[j] =
-            range * std::min(1.0, (chart_.upper()[j] - chart_.lower()[j]) / twoPi) * random.uniformReal(-1.0, 1.0);
-    chart_.wayOfTurns(turning_, direction_);
-    Way way{side, node, -1, tree(side)[node].x + direction_, {}};
+    Way way{side, node, -1, tree(side)[node].x, {}};
     way.isGiven = way.isPlain = true;
-    if (stepStraight(way) == Progress::Trapped)
+    if (drawStep(tree(side)[node].x, range, random))
     {
-        way.goal = tree(side)[node].x + 0.5 * direction_;
-        stepStraight(way);
+        way.goal = next_;
+        if (stepStraight(way) == Progress::Trapped)
+        {
+            way.goal = tree(side)[node].x + 0.5 * direction_;
+            stepStraight(way);
+        }
     }
     if (way.node == node)
     {
@@ -138,6 +140,31 @@ bool ThreadingSearch::explore(double range, ompl::RNG &random, const ob::Planner
     write(side, way.node, to_.get());
     const int near = cellsOf(turn_).at(to_.get(), random);
     return near >= 0 && answer(way, near, {}, random, ptc);
+}
+
+bool ThreadingSearch::drawStep(const Eigen::VectorXd &from, double range, ompl::RNG &random)
+{
+    const double reach = range / std::sqrt(static_cast<double>(from.size()));
+    turning_.resize(from.size());
+    for (int draw = 0; draw < mostDraws; ++draw)
+    {
+        ++counts_.draws;
+        for (Eigen::Index j = 0; j < turning_.size(); ++j)
+            turning_[j] =
+                reach * std::min(1.0, (chart_.upper()[j] - chart_.lower()[j]) / twoPi) * random.uniformReal(-1.0, 1.0);
+        if (random.uniformBool())
+            chart_.wayOfTurns(turning_, direction_);
+        else
+            direction_ = turning_;
+        next_ = from + chart_.unambiguousPart(direction_) * direction_;
+        chart_.enforceLimits(next_);
+        if (isMet(next_))
+            continue;
+        chart_.write(next_, valuesOf(to_.get()));
+        if (si_->isValid(to_.get()))
+            return true;
+    }
+    return false;
 }
 
 TipCells &ThreadingSearch::cellsOf(int side)

@@ -38,19 +38,30 @@ public:
         double range = std::numeric_limits<double>::infinity();  ///< longest edge, > 0
     };
 
+    /// How a blocked step goes on through gaps. The defaults are for use, the rest for ablations.
+    struct Centring
+    {
+        double lengthening = 0.5;  ///< of links at both ends, at most, in sizes of the gap; >= 0
+        double square = 0.9;     ///< share of the steps in which all links shall stand square to their gaps, in [0, 1]
+        double narrow = 0.75;    ///< share of the steps in which only the narrowest gaps count, in [0, 1]
+        bool recentring = true;  ///< where the tangent leaves nothing of the way, go to the middle itself
+    };
+
     struct Counts
     {
         std::uint64_t samples = 0;
         std::uint64_t blocked = 0;  ///< straight steps that were not free
         std::uint64_t centred = 0;  ///< centred steps that were
         std::uint64_t refused = 0;  ///< and those that were not
+        std::uint64_t draws = 0;    ///< random steps whose end was looked at
         std::uint64_t bent = 0;     ///< steps along an obstacle
     };
 
     /// \param midGap finds the gaps, when a step is blocked for the first time; null: no centred steps
     /// \param collision null: steps that end in obstacles are not bent along them
     ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart,
-                    std::function<std::unique_ptr<const GapEquations>()> midGap, std::unique_ptr<Overlap> collision);
+                    std::function<std::unique_ptr<const GapEquations>()> midGap, std::unique_ptr<Overlap> collision,
+                    const Centring &centring);
 
     void addStart(const ob::State *state) { addRoot(0, state); }
     void addGoal(const ob::State *state) { addRoot(1, state); }
@@ -70,9 +81,10 @@ public:
     bool grow(const Stride &stride, const Eigen::VectorXd &sample, ompl::RNG &random,
               const ob::PlannerTerminationCondition &ptc);
 
-    /// Grows one tree from a node at the edge of what its tips have reached (TipCells) by a random step, and the other
-    /// towards that, if its tips have been nearby. \param range joints turn by at most so much
-    /// \return whether the trees have met
+    /// Grows one tree from a node at the edge of what its tips have reached (TipCells) by a random step whose end is
+    /// free, and the other towards that, if its tips have been nearby: BKPIECE1's step (OMPL).
+    /// \param range longest step, > 0; joints turn by at most that by the root of their number, all of them or each
+    /// against the one that carries it \return whether the trees have met
     bool explore(double range, ompl::RNG &random, const ob::PlannerTerminationCondition &ptc);
 
     /// Once they have met: from a start to a goal.
@@ -82,8 +94,16 @@ public:
     /// The state of a node; of roots, exactly the one that was given.
     void write(int side, int node, ob::State *state) const;
     const Counts &counts() const { return counts_; }
+    /// Whether few blocked steps could go on through gaps: passages wind, but are not narrow.
+    bool isWinding() const { return leastGapSteps * counts_.centred < counts_.blocked; }
+    /// Whether trees mostly go along gaps: more centred steps than samples.
+    bool isThreading() const { return counts_.centred > counts_.samples; }
 
 private:
+    /// One of so many blocked steps goes on through a gap where gaps matter. Measured: half of them and more; in mazes
+    /// with openings that count as gaps a fifth; else none.
+    static constexpr int leastGapSteps = 3;
+
     enum class Progress
     {
         Trapped,
@@ -118,6 +138,8 @@ private:
     /// The other tree goes towards where this one has got. \return whether it has arrived
     bool answer(const Way &way, int from, const Stride &stride, ompl::RNG &random,
                 const ob::PlannerTerminationCondition &ptc);
+    /// A random step: direction_ to next_, which is free. False if none has been found.
+    bool drawStep(const Eigen::VectorXd &from, double range, ompl::RNG &random);
     /// Up to date with the tree.
     TipCells &cellsOf(int side);
     void measureWay(const Way &way);
@@ -128,6 +150,8 @@ private:
     bool hasGaps();  ///< finds them when first asked
     /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
     bool isDeep(const Eigen::VectorXd &x);
+    /// The same, and no more than that.
+    bool isMet(const Eigen::VectorXd &x);
     /// Whether an obstacle is seen in the way of a step: spares most of the motion checks that would fail.
     bool meetsObstacle(const Eigen::VectorXd &from, const Eigen::VectorXd &step);
     Progress stepAlong(Way &way);
@@ -146,6 +170,7 @@ private:
     JointChart chart_;
     std::function<std::unique_ptr<const GapEquations>()> makeMidGap_;  ///< unset once it has been called
     std::unique_ptr<const GapEquations> midGap_;
+    Centring centring_;
     std::optional<CentredStep> centredStep_;
     std::unique_ptr<Overlap> collision_;
     AffineSlices slices_;

@@ -9,11 +9,8 @@ namespace narrows
 {
 namespace
 {
-constexpr double mostLengthening = 0.5;  ///< of links at both ends, in sizes of the gap
-constexpr double squarePart = 0.9;       ///< of the steps: all links square to their gaps
-constexpr double narrowPart = 0.75;      ///< of the steps: only the narrowest gaps, and those up to
-constexpr double wideFactor = 4.0;       ///< times as wide
-constexpr double leastProgress = 0.02;   ///< of the way to the target that is left of it in the tangent
+constexpr double wideFactor = 4.0;      ///< gaps up to so many times as wide as the narrowest count with it
+constexpr double leastProgress = 0.02;  ///< of the way to the target that is left of it in the tangent
 constexpr double slideGrowth = 1.5;
 constexpr double longestSlide = 0.5;    ///< radians
 constexpr int mostSlides = 10000;       ///< on one way: so that it ends
@@ -91,6 +88,14 @@ bool ThreadingSearch::isDeep(const Eigen::VectorXd &x)
     return depth_ < 0.0;
 }
 
+bool ThreadingSearch::isMet(const Eigen::VectorXd &x)
+{
+    if (!collision_)
+        return false;
+    chart_.toConfiguration(x, q_);
+    return collision_->isMet(q_);
+}
+
 bool ThreadingSearch::meetsObstacle(const Eigen::VectorXd &from, const Eigen::VectorXd &step)
 {
     if (!collision_)
@@ -148,7 +153,7 @@ ThreadingSearch::Progress ThreadingSearch::slide(Way &way, ompl::RNG &random)
     centredStep_->tangent(turning_, tangent_);
     const double least = leastSlide();
     if (!(tangent_.norm() > leastProgress * turning_.norm()))
-        return recentre(way, least, random) ? Progress::Advanced : Progress::Trapped;
+        return centring_.recentring && recentre(way, least, random) ? Progress::Advanced : Progress::Trapped;
     double &step = slideStep_[static_cast<std::size_t>(way.side)];
     for (step = std::max(step, least); step >= least; step *= 0.5)
         if (slideBy(way, step, 0.0))
@@ -194,11 +199,11 @@ bool ThreadingSearch::slideBy(Way &way, double length, double least)
 
 bool ThreadingSearch::chooseCrossings(ompl::RNG &random)
 {
-    midGap_->crossings(q_, mostLengthening * random.uniform01(), crossings_);
+    midGap_->crossings(q_, centring_.lengthening * random.uniform01(), crossings_);
     if (crossings_.empty())
         return false;
     // Wide gaps need no care while a narrow one is threaded, and may not allow it.
-    if (random.uniform01() < narrowPart)
+    if (random.uniform01() < centring_.narrow)
     {
         const auto width = [this](const GapCrossing &crossing)
         {
@@ -213,7 +218,7 @@ bool ThreadingSearch::chooseCrossings(ompl::RNG &random)
         };
         crossings_.erase(std::remove_if(crossings_.begin(), crossings_.end(), isWide), crossings_.end());
     }
-    if (random.uniform01() >= squarePart)
+    if (random.uniform01() >= centring_.square)
         for (GapCrossing &crossing : crossings_)
             crossing.square = random.uniformBool();
     return true;

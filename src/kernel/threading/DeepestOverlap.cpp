@@ -139,6 +139,13 @@ bool DeepestOverlap::overlaps() const
     return false;
 }
 
+bool DeepestOverlap::isMet(ConfigurationRef q)
+{
+    direct(q, directions_[0]);
+    place(directions_[0], q[0]);
+    return overlaps();
+}
+
 bool DeepestOverlap::isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts)
 {
     if (parts != 1 && parts != 2 && parts != 4 && parts != mostParts)

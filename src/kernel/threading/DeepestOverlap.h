@@ -20,6 +20,7 @@ public:
     explicit DeepestOverlap(const PlanarModel &model);
 
     double deepest(ConfigurationRef q, Eigen::VectorXd &gradient) override;
+    bool isMet(ConfigurationRef q) override;
     /// \throws std::invalid_argument for other numbers of parts
     bool isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts) override;
 

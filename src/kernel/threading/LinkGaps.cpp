@@ -2,6 +2,7 @@
 #include "kernel/threading/LinkGaps.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -113,7 +114,8 @@ void LinkGaps::evaluateMoving(const Configuration &q, const GapCrossing &crossin
     values[row] = here.x();
     if (crossing.square)
         values[row + 1] = here.y();
-    Eigen::VectorXd moved = q;
+    static thread_local Eigen::VectorXd moved;
+    moved = q;
     for (Eigen::Index joint = 0; joint < q.size(); ++joint)
     {
         moved[joint] = q[joint] + h;
@@ -134,20 +136,30 @@ void LinkGaps::evaluate(const Configuration &q, const std::vector<GapCrossing> &
     const Eigen::Index rows = rowCount(crossings);
     values.resize(rows);
     transposedJacobian.resize(arm_.dimension(), rows);
-    Eigen::VectorXd fixedValues;
-    Eigen::MatrixXd fixedJacobian;
-    Eigen::Index row = 0;
+    // One question for all fixed ones, in memory that is kept.
+    static thread_local std::vector<GapCrossing> fixed;
+    static thread_local Eigen::VectorXd fixedValues;
+    static thread_local Eigen::MatrixXd fixedJacobian;
+    fixed.clear();
+    std::copy_if(crossings.begin(), crossings.end(), std::back_inserter(fixed),
+                 [this](const GapCrossing &crossing) { return isFixed(crossing); });
+    if (!fixed.empty())
+        fixed_->evaluate(q, fixed, fixedValues, fixedJacobian);
+    Eigen::Index row = 0, fixedRow = 0;
     for (const GapCrossing &crossing : crossings)
     {
+        const Eigen::Index count = crossing.square ? 2 : 1;
         if (isFixed(crossing))
         {
-            fixed_->evaluate(q, {crossing}, fixedValues, fixedJacobian);
-            values.segment(row, fixedValues.size()) = fixedValues;
-            transposedJacobian.middleCols(row, fixedValues.size()) = fixedJacobian;
+            for (Eigen::Index i = 0; i < count; ++i, ++fixedRow)
+            {
+                values[row + i] = fixedValues[fixedRow];
+                transposedJacobian.col(row + i) = fixedJacobian.col(fixedRow);
+            }
         }
         else
             evaluateMoving(q, crossing, row, values, transposedJacobian);
-        row += crossing.square ? 2 : 1;
+        row += count;
     }
 }
 }  // namespace narrows

@@ -15,6 +15,13 @@ public:
     /// do. `gradient` is its derivative by the configuration, if it is not 0.
     virtual double deepest(const Eigen::Ref<const Eigen::VectorXd> &q, Eigen::VectorXd &gradient) = 0;
 
+    /// Whether a link overlaps an obstacle.
+    virtual bool isMet(const Eigen::Ref<const Eigen::VectorXd> &q)
+    {
+        Eigen::VectorXd gradient;
+        return deepest(q, gradient) < 0.0;
+    }
+
     /// Whether a link overlaps an obstacle at one of the configurations q + (i / parts) delta, 0 < i < parts, the
     /// middle first. Where that is not much cheaper than to certify the motion, none is looked at. \param parts 1, 2, 4
     /// or 8
