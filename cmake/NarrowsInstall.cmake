@@ -10,6 +10,11 @@ install(TARGETS narrows_kernel narrows_planning narrows_scenario EXPORT narrowsT
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/narrows COMPONENT dev)
 if(NARROWS_BUILD_PROGRAM)
   install(TARGETS narrows RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  if(BUILD_SHARED_LIBS)  # the program finds its libraries wherever the whole tree is put
+    file(RELATIVE_PATH way_to_libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(narrows PROPERTIES INSTALL_RPATH "$ORIGIN/${way_to_libraries}")
+    install(TARGETS narrows_benchmark LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT program NAMELINK_SKIP)
+  endif()
 endif()
 install(EXPORT narrowsTargets NAMESPACE narrows:: DESTINATION ${NARROWS_CMAKE_DIR} COMPONENT dev)
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Our planners in the hands of OMPL's own tools: SimpleSetup, Benchmark, ParallelPlan, PathSimplifier and the storage
 // of planner data.
+#include <functional>
 #include <sstream>
 
 #include <gtest/gtest.h>
 #include <ompl/base/PlannerDataStorage.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/PathSimplifier.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/tools/benchmark/Benchmark.h>
@@ -13,8 +15,11 @@
 #include <ompl/util/RandomNumbers.h>
 
 #include "PaperCases.h"
+#include "kernel/ControlPoints.h"
 #include "kernel/PlanarRepulsionModel.h"
 #include "planners/HPPM.h"
+#include "planners/Threader.h"
+#include "planners/ViaPointHomotopy.h"
 #include "scenario/Problem.h"
 
 namespace narrows
@@ -121,10 +126,10 @@ TEST_P(OmplTools, PlannerDataCanBeStored)
     EXPECT_EQ(loaded.numGoalVertices(), data.numGoalVertices());
 }
 
-TEST(HPPMInAStrangeSpace, SaysSoByStatus)
+/// A planner's status and reason in a space that is not for it.
+void expectRefusal(const ob::StateSpacePtr &space,
+                   const std::function<std::shared_ptr<ModelPlanner>(const ob::SpaceInformationPtr &)> &make)
 {
-    const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
-    space->setBounds(-3.0, 3.0);
     const auto si = std::make_shared<ob::SpaceInformation>(space);
     si->setStateValidityChecker([](const ob::State *) { return true; });
     si->setup();
@@ -133,11 +138,28 @@ TEST(HPPMInAStrangeSpace, SaysSoByStatus)
     start = std::vector<double>{0.0, 0.0, 0.0};
     goal = std::vector<double>{1.0, 1.0, 1.0};
     pdef->setStartAndGoalStates(start, goal);
-    HPPM planner(si, planarRepulsionModel(paperCase(1).planar().model, {}));
-    planner.setProblemDefinition(pdef);
-    EXPECT_EQ(planner.solve(1.0), ob::PlannerStatus::ABORT);
-    EXPECT_EQ(planner.reason(), "space");
+    const std::shared_ptr<ModelPlanner> planner = make(si);
+    planner->setProblemDefinition(pdef);
+    EXPECT_EQ(planner->solve(1.0), ob::PlannerStatus::ABORT) << planner->getName();
+    EXPECT_EQ(planner->reason(), "space") << planner->getName();
     EXPECT_FALSE(pdef->hasSolution());
+}
+
+TEST(PlannersInAStrangeSpace, SaySoByStatus)
+{
+    const auto turning = std::make_shared<ob::SE2StateSpace>();
+    ob::RealVectorBounds bounds(2);
+    bounds.setLow(-3.0);
+    bounds.setHigh(3.0);
+    turning->setBounds(bounds);
+    const auto plain = std::make_shared<ob::RealVectorStateSpace>(3);
+    plain->setBounds(-3.0, 3.0);
+    const auto arm = planarRepulsionModel(paperCase(1).planar().model, {});
+    const auto point = controlPointModel(pointRobot(2), {}, 1.0);
+    expectRefusal(turning, [&](const auto &si) { return std::make_shared<HPPM>(si, arm); });
+    expectRefusal(plain, [&](const auto &si) { return std::make_shared<HPPM>(si, point); });
+    expectRefusal(turning, [](const auto &si) { return std::make_shared<ViaPointHomotopy>(si, false); });
+    expectRefusal(plain, [](const auto &si) { return std::make_shared<Threader>(si, nullptr, nullptr, nullptr); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Ours, OmplTools, testing::Values("hppm", "threader", "viapoint"));

@@ -92,6 +92,7 @@ public:
     int dimension() const override { return scene_->robot.dimension; }
     const std::vector<std::string> &groups() const override { return groups_; }
     std::size_t obstacleCount() const override { return groups_.size(); }
+    int workspace() const override { return scene_->robot.workspace; }
     double naturalStrength(std::size_t /*group*/) const override { return length_; }
 
     std::shared_ptr<const Repulsion> continuous(const std::vector<double> &strengths) const override
@@ -134,6 +135,17 @@ void require(bool holds, const std::string &what)
         throw std::invalid_argument(what);
 }
 }  // namespace
+
+ControlPoints pointRobot(int coordinates, double radius)
+{
+    const auto place = [](const auto &q, Eigen::MatrixXd &points, std::vector<Eigen::MatrixXd> *jacobians)
+    {
+        points.col(0) = q;
+        if (jacobians != nullptr)
+            jacobians->front().setIdentity();
+    };
+    return {coordinates, coordinates, {radius}, place};
+}
 
 std::shared_ptr<const RepulsionModel> controlPointModel(ControlPoints robot, std::vector<DistanceFunction> obstacles,
                                                         double length)

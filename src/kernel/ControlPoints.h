@@ -26,6 +26,10 @@ struct ControlPoints
         place;
 };
 
+/// A point that moves freely: its coordinates are its joints.
+/// \param coordinates of the point, > 0 \param radius of a ball around it, >= 0
+ControlPoints pointRobot(int coordinates, double radius = 0.0);
+
 /// An obstacle, by a function that is positive outside, 0 on its boundary and negative inside: best its signed
 /// distance.
 struct DistanceFunction

@@ -40,19 +40,24 @@ struct Slide
 class PlanarArm
 {
 public:
-    static constexpr int Dim = 2;
+    static constexpr int Dim = 2;  ///< coordinates of a point
 
     /// \throws std::invalid_argument if a length is not positive and finite, a parent does not precede its child,
     /// the radius is negative, or the slide's axis is not a unit vector.
     PlanarArm(const Eigen::Vector2d &base, std::vector<PlanarLink> links, double radius = 0.0,
               std::optional<Slide> slide = std::nullopt);
 
+    /// How many links there are.
     int linkCount() const { return static_cast<int>(links_.size()); }
+    /// How many values a configuration has.
     int dimension() const { return linkCount() + firstAngle(); }
     /// Index of link 0's angle in a configuration: 1 with a slide, else 0.
     int firstAngle() const { return slide_ ? 1 : 0; }
+    /// The links, parents before their children.
     const std::vector<PlanarLink> &links() const { return links_; }
+    /// What the base moves along, if it does.
     const std::optional<Slide> &slide() const { return slide_; }
+    /// Where the links that no link carries begin, at slide 0.
     const Eigen::Vector2d &base() const { return base_; }
     /// Half-width of every link; 0 for line segments.
     double radius() const { return radius_; }
@@ -78,8 +83,9 @@ public:
     void velocities(const std::vector<Eigen::Vector2d> &points, ConfigurationRef delta,
                     std::vector<Eigen::Vector2d> &velocities) const;
 
+    /// The configuration that values of another convention stand for; both have dimension() values, the slide first.
     Eigen::VectorXd toAbsolute(ConfigurationRef q, AngleConvention from) const;
-    Eigen::VectorXd fromAbsolute(ConfigurationRef q, AngleConvention to) const;
+    Eigen::VectorXd fromAbsolute(ConfigurationRef q, AngleConvention to) const;  ///< The inverse of toAbsolute().
 
 private:
     Eigen::Vector2d base_;

@@ -9,16 +9,17 @@
 
 namespace narrows
 {
+/// A disc.
 struct Circle
 {
-    Eigen::Vector2d center;
-    double radius;  ///< > 0
+    Eigen::Vector2d center;  ///< its middle
+    double radius;           ///< > 0
 };
 
 /// |(x - cx) / a|^p + |(y - cy) / b|^p <= 1 (HPPM-PRA, Eq. 22, in the reading of docs/hppm.md). Convex.
 struct Superellipse
 {
-    Eigen::Vector2d center;
+    Eigen::Vector2d center;       ///< its middle
     Eigen::Vector2d halfExtents;  ///< (a, b), both > 0
     double exponent;              ///< p >= 2; 2 is an ellipse, 4 is what the paper uses
 };
@@ -32,15 +33,15 @@ struct Polygon
 /// A closed set that no link may touch.
 struct PlanarObstacle
 {
-    std::string name;  ///< unique in its scene
-    std::variant<Circle, Superellipse, Polygon> shape;
+    std::string name;                                   ///< unique in its scene
+    std::variant<Circle, Superellipse, Polygon> shape;  ///< what it occupies
 };
 
 /// Axis-parallel box around a shape.
 struct Bounds
 {
-    Eigen::Vector2d lower;
-    Eigen::Vector2d upper;
+    Eigen::Vector2d lower;  ///< least coordinates
+    Eigen::Vector2d upper;  ///< greatest coordinates
 };
 
 Bounds bounds(const PlanarObstacle &obstacle);

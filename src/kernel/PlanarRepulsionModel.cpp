@@ -36,6 +36,7 @@ public:
         return std::make_shared<const DistanceRepulsion>(poles_, strengths);
     }
 
+    int workspace() const override { return 2; }
     bool supportsPoints() const override { return PointRepulsion::supports(*model_); }
 
     std::shared_ptr<const Repulsion> points(const std::vector<double> &strengths, int pointsPerLink) const override

@@ -17,7 +17,7 @@ public:
     /// W and all that the trackers ask about it at one configuration.
     struct Sample
     {
-        double value = 0.0;
+        double value = 0.0;         ///< W
         Eigen::VectorXd gradient;   ///< dW/dq, one entry per joint
         std::vector<double> poles;  ///< the obstacle functions behind W, always as many in the same order: positive
                                     ///< where free, 0 on the boundary. A step over which one of them changes sign has
@@ -26,7 +26,8 @@ public:
 
     virtual ~Repulsion() = default;
 
-    virtual int dimension() const = 0;
+    virtual int dimension() const = 0;  ///< Joints of a configuration q.
+    /// Sets all of `sample`, whose memory is used again. \pre q has dimension() values
     virtual void evaluate(const Eigen::Ref<const Eigen::VectorXd> &q, Sample &sample) const = 0;
     /// W alone.
     virtual double value(const Eigen::Ref<const Eigen::VectorXd> &q) const = 0;
@@ -56,10 +57,12 @@ class RepulsionModel
 public:
     virtual ~RepulsionModel() = default;
 
-    virtual int dimension() const = 0;
+    virtual int dimension() const = 0;  ///< Joints of a configuration q.
     /// Names of the groups; obstacles first.
     virtual const std::vector<std::string> &groups() const = 0;
-    virtual std::size_t obstacleCount() const = 0;
+    virtual std::size_t obstacleCount() const = 0;  ///< How many of the groups are obstacles.
+    /// Coordinates of a point where the obstacles are: in 2 a curve passes them on one of two sides.
+    virtual int workspace() const = 0;
 
     /// The strength with which a pole of the group bends a curve by about a radian at a distance that is ordinary for
     /// the robot: what strengths are measured by.
@@ -77,6 +80,7 @@ public:
     virtual std::shared_ptr<const Repulsion> points(const std::vector<double> &strengths, int pointsPerLink) const = 0;
 
     /// Unless overridden, sides are 0 and nothing is pinned.
+    /// \param q a configuration
     /// \param throat a link with obstacles within this distance on both sides is in a throat; > 0
     virtual Surroundings surroundings(const Eigen::Ref<const Eigen::VectorXd> &q, double throat) const;
 

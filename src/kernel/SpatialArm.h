@@ -14,13 +14,14 @@ namespace narrows
 /// A joint with one degree of freedom. Its moving frame is (moving frame of the parent) * offset * motion(value).
 struct SpatialJoint
 {
+    /// What a joint does.
     enum class Kind
     {
         Revolute,
         Prismatic
     };
-    Kind kind = Kind::Revolute;
-    int parent = -1;                                           ///< -1: the world. Always less than its own index
+    Kind kind = Kind::Revolute;  ///< turns about its axis (radians), or slides along it (length)
+    int parent = -1;             ///< -1: the world. Always less than its own index
     Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  ///< this joint's frame in the parent's, at value 0
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();           ///< unit vector in this joint's frame
     std::optional<Interval> limits;                            ///< none: a revolute joint that turns freely
@@ -29,19 +30,19 @@ struct SpatialJoint
 /// A link: all points within `radius` of a segment that is fixed in a joint's moving frame.
 struct SpatialLink
 {
-    int joint;  ///< -1: fixed to the world
-    Eigen::Vector3d from;
-    Eigen::Vector3d to;
-    double radius;  ///< >= 0
+    int joint;             ///< -1: fixed to the world
+    Eigen::Vector3d from;  ///< where it begins, in the joint's moving frame
+    Eigen::Vector3d to;    ///< where it ends, likewise
+    double radius;         ///< >= 0
 };
 
 /// Two revolute joints whose axes meet and that together may bend by at most `maxAngle`:
 /// acos(cos(first) cos(second)) <= maxAngle < pi / 2 (a convex set of the two angles).
 struct UniversalLimit
 {
-    int first;
-    int second;
-    double maxAngle;
+    int first;        ///< a revolute joint
+    int second;       ///< another one
+    double maxAngle;  ///< radians
 };
 
 /// Kinematics of a spatial tree of joints that carry straight links: universal-joint chains, Denavit-Hartenberg arms,
@@ -50,7 +51,7 @@ struct UniversalLimit
 class SpatialArm
 {
 public:
-    static constexpr int Dim = 3;
+    static constexpr int Dim = 3;  ///< coordinates of a point
 
     /// Where everything is at one configuration.
     struct Placement
@@ -66,10 +67,15 @@ public:
     SpatialArm(std::vector<SpatialJoint> joints, std::vector<SpatialLink> links,
                std::vector<UniversalLimit> universalLimits = {});
 
+    /// How many values a configuration has: one per joint.
     int dimension() const { return static_cast<int>(joints_.size()); }
+    /// How many links there are.
     int linkCount() const { return static_cast<int>(links_.size()); }
+    /// The joints, parents before their children.
     const std::vector<SpatialJoint> &joints() const { return joints_; }
+    /// The links.
     const std::vector<SpatialLink> &links() const { return links_; }
+    /// Limits that two joints share.
     const std::vector<UniversalLimit> &universalLimits() const { return universalLimits_; }
     /// Bound on how far any point of the arm can be from where the first joint of its chain is, prismatic ways
     /// included.
@@ -78,6 +84,7 @@ public:
     /// collide with each other.
     bool areNeighbours(int link, int other) const { return neighbours_[link * links_.size() + other]; }
 
+    /// Forward kinematics. \pre q has dimension() values
     void place(const Eigen::Ref<const Eigen::VectorXd> &q, Placement &placement) const;
 
     /// For the motion q + t * delta, t in [0, 1], and any point of link i's segment: its way is at most lengths[i], its
@@ -133,12 +140,12 @@ SpatialArm universalChain(const Eigen::Vector3d &base, const std::vector<double>
 /// One row of a Denavit-Hartenberg table in the standard (distal) convention: Rz(q + theta) Tz(d) Tx(a) Rx(alpha).
 struct DenavitHartenberg
 {
-    double theta = 0.0;
-    double d = 0.0;
-    double a = 0.0;
-    double alpha = 0.0;
-    std::optional<Interval> limits;
-    double radius = 0.0;  ///< of the links along d and a
+    double theta = 0.0;              ///< radians, about z, added to the joint's value
+    double d = 0.0;                  ///< length along z
+    double a = 0.0;                  ///< length along the turned x
+    double alpha = 0.0;              ///< radians, about that x
+    std::optional<Interval> limits;  ///< of the joint's value, radians; none: it turns freely
+    double radius = 0.0;             ///< of the links along d and a
 };
 
 /// An arm of revolute joints; each row yields up to two links, along d and along a, where these are not 0.

@@ -30,6 +30,7 @@ public:
         return std::make_shared<const SpatialRepulsion>(poles_, strengths);
     }
 
+    int workspace() const override { return 3; }
     bool supportsPoints() const override { return false; }
 
     std::shared_ptr<const Repulsion> points(const std::vector<double> &, int) const override

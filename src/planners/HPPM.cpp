@@ -9,13 +9,12 @@
 
 #include "kernel/FullHomotopy.h"
 #include "planners/NumberList.h"
+#include "spaces/JointStateSpace.h"
 
 namespace narrows
 {
 HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionModel> model)
-  : ModelPlanner(si, "HPPM"),
-    model_(std::move(model)),
-    space_(dynamic_cast<const ArmStateSpace *>(si->getStateSpace().get()))
+  : ModelPlanner(si, "HPPM"), model_(std::move(model)), space_(jointsOf(si->getStateSpace()))
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
@@ -28,7 +27,7 @@ HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionMod
 ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
 {
     checkValidity();
-    if (space_ == nullptr)
+    if (space_ == nullptr || static_cast<Eigen::Index>(space_->getDimension()) != joints())
     {
         reason_ = "space";
         return ob::PlannerStatus::ABORT;
@@ -128,8 +127,9 @@ TrackerOptions HPPM::trackerOptions(const CurveRecipe &recipe) const
 {
     TrackerOptions options;
     options.maxStep =
-        maxStep_ > 0.0 ? maxStep_ : 0.2 * std::sqrt(static_cast<double>(std::max<Eigen::Index>(3, joints())));
-    options.firstStep = std::min(options.firstStep, options.maxStep);
+        maxStep_ > 0.0 ? maxStep_ : unit() * 0.2 * std::sqrt(static_cast<double>(std::max<Eigen::Index>(3, joints())));
+    options.firstStep = std::min(unit() * options.firstStep, options.maxStep);
+    options.minStep *= unit();
     options.maxSteps = maxSteps_ > 0 ? maxSteps_ : restarts_ ? 200 : 5000;
     options.endShare = restarts_ ? 3e-3 : 0.0;
     options.window = recipe.window;
@@ -218,9 +218,15 @@ std::shared_ptr<og::PathGeometric> HPPM::toPath(const Trace &trace, bool fromGoa
 bool HPPM::isFree(const og::PathGeometric &path) const
 {
     for (unsigned int i = 1; i < path.getStateCount(); ++i)
-        if (!si_->checkMotion(path.getState(i - 1), path.getState(i)))
+        if (!isFree(path.getState(i - 1), path.getState(i)))
             return false;
     return true;
+}
+
+bool HPPM::isFree(const ob::State *from, const ob::State *to) const
+{
+    // A checker is asked about states within the bounds only: whoever wrote it may have relied on that.
+    return si_->satisfiesBounds(from) && si_->satisfiesBounds(to) && si_->checkMotion(from, to);
 }
 
 void HPPM::keep(std::shared_ptr<og::PathGeometric> path, bool reached)

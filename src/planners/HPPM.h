@@ -44,24 +44,31 @@ namespace narrows
 class HPPM : public ModelPlanner
 {
 public:
+    /// \param si of an ArmStateSpace or of any other RealVectorStateSpace, whose values are then the configuration; see
+    /// jointsOf(). All that is asked of its state validity checker are states within the space's bounds.
+    /// \param model the robot and its obstacles: planarRepulsionModel(), spatialRepulsionModel(), controlPointModel()
     HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionModel> model);
 
     /// Besides OMPL's usual statuses: ABORT when everything has been tried in vain (see reason(): `tries` when the
     /// restarts are used up; with search=paper a name of `TraceStatus`, or `collision` when the curve reached the goal
-    /// but the validator refuses it, or `no_points` when the paper has no function for an obstacle; `space` if the space
-    /// is no ArmStateSpace). A later call goes on with what has not been tried yet.
+    /// but the validator refuses it, or `no_points` when the paper has no function for an obstacle; `space` if the
+    /// space is no RealVectorStateSpace or has not as many dimensions as the model has joints). A later call goes on
+    /// with what has not been tried yet.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
-    void getPlannerData(ob::PlannerData &data) const override;
+    void clear() override;                                      ///< Forgets the search, not the parameters.
+    void getPlannerData(ob::PlannerData &data) const override;  ///< What has been searched, starts and goals marked.
     /// The curve that solved, or the one that was tried last; empty if the straight motion did.
     std::map<std::string, std::string> recipe() const override;
 
     /// The slice that search=paper follows its curve in, from `start` to `goal` (from the goal, if traced_from says
     /// so), and how it follows it. \throws std::invalid_argument if there is no such curve: see SliceHomotopy
     SliceHomotopy slice(const ob::State *start, const ob::State *goal) const;
+    /// How search=paper follows that curve.
     TrackerOptions trackerOptions() const { return trackerOptions(givenRecipe()); }
 
+    ///@{
+    /// A parameter: meaning, unit and range are those of params() and the text above.
     /// \throws std::invalid_argument from every setter if the value is out of range or does not fit the robot or scene.
     void setSearch(const std::string &search);
     std::string getSearch() const { return restarts_ ? "restarts" : "paper"; }
@@ -106,10 +113,13 @@ public:
     double getLambdaMax() const { return given_.window.lambdaMax; }
     void setMaxDeviation(double deviation);
     double getMaxDeviation() const { return given_.window.maxDeviation; }
-    void setMaxStep(double step);  ///< 0: a third of a radian for three joints, growing with the root of their number
+    /// 0: a third of a radian for three joints, growing with the root of their number; what counts as a radian where
+    /// the space is no ArmStateSpace is the longest side of its bounds / pi
+    void setMaxStep(double step);
     double getMaxStep() const { return maxStep_; }
     void setMaxSteps(int steps);  ///< 0: 5000 with search=paper, 200 with restarts
     int getMaxSteps() const { return maxSteps_; }
+    ///@}
 
 private:
     /// A goal and what is being tried to reach it.
@@ -122,6 +132,8 @@ private:
     };
 
     void declareParameters();
+    /// The length in joint space that counts as a radian.
+    double unit() const;
     Eigen::Index joints() const { return model_->dimension(); }
     ob::PlannerStatus followGiven(const ob::PlannerTerminationCondition &ptc);
     ob::PlannerStatus restart(const ob::PlannerTerminationCondition &ptc);
@@ -161,13 +173,14 @@ private:
     /// The trace as states, from start to `goal` and exact at both ends; null if the trace does not join them.
     std::shared_ptr<og::PathGeometric> toPath(const Trace &trace, bool fromGoal, const ob::State *goal) const;
     bool isFree(const og::PathGeometric &path) const;
-    /// Is the straight motion between two configurations free?
+    /// Is the straight motion between two states, or two configurations, within the bounds and free?
+    bool isFree(const ob::State *from, const ob::State *to) const;
     bool isFree(const Eigen::VectorXd &from, const Eigen::VectorXd &to) const;
     void keep(std::shared_ptr<og::PathGeometric> path, bool reached);
     void measure(const Trace &trace);
 
     std::shared_ptr<const RepulsionModel> model_;
-    const ArmStateSpace *space_;
+    std::shared_ptr<const ArmStateSpace> space_;  ///< null if there is nothing to plan in
 
     bool restarts_ = true;
     int tries_ = 100000;

@@ -73,6 +73,18 @@ bool HPPM::goStraight(const Target &target)
     return true;
 }
 
+double HPPM::unit() const
+{
+    if (space_ == si_->getStateSpace())
+        return 1.0;
+    const ob::RealVectorBounds &bounds = si_->getStateSpace()->as<ob::RealVectorStateSpace>()->getBounds();
+    double longest = 0.0;
+    for (const double side : bounds.getDifference())
+        longest = std::max(longest, side);
+    // As far as a joint that wraps can be from where it is: pi.
+    return longest > 0.0 ? longest / boost::math::double_constants::pi : 1.0;
+}
+
 HPPM::Target &HPPM::nextTarget()
 {
     // The nearest goal gets every second curve, the next one every fourth, ...
@@ -85,7 +97,7 @@ HPPM::Target &HPPM::nextTarget()
 bool HPPM::tryCurve(Target &target, const ob::PlannerTerminationCondition &ptc)
 {
     if (!target.sampler)
-        target.sampler.emplace(model_, target.ends, poleRows_);
+        target.sampler.emplace(model_, target.ends, poleRows_, unit());
     const CurveRecipe recipe = target.sampler->next(random_);
     Attempt result = attempt(recipe, target.state.get(), ptc);
     if (!result.reason.empty())
@@ -99,6 +111,6 @@ bool HPPM::isFree(const Eigen::VectorXd &from, const Eigen::VectorXd &to) const
     ob::ScopedState<> a(si_), b(si_);
     space_->fromConfiguration(from, a.get());
     space_->fromConfiguration(to, b.get());
-    return si_->checkMotion(a.get(), b.get());
+    return isFree(a.get(), b.get());
 }
 }  // namespace narrows

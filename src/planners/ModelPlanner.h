@@ -42,7 +42,7 @@ public:
         return none;
     }
 
-    void clear() override;
+    void clear() override;  ///< Forgets the search, as ob::Planner says; measures and reason with it.
 
 protected:
     /// What comes before any search: the goal's type, the start, a solution that the problem has already. UNKNOWN if a
@@ -53,11 +53,12 @@ protected:
     bool takeStart();
 
     /// A solution's states and motions for getPlannerData(), the first state as a start.
+    /// \param path at least one state \param data that they are added to
     /// \param reached whether the last one is a goal
     static void addPath(const og::PathGeometric &path, bool reached, ob::PlannerData &data);
 
     std::optional<ob::ScopedState<>> startState_;  ///< after takeStart()
-    std::string reason_;
-    std::map<std::string, double> measures_;
+    std::string reason_;                           ///< what reason() says
+    std::map<std::string, double> measures_;       ///< what measures() says
 };
 }  // namespace narrows

@@ -19,7 +19,7 @@ namespace narrows
 /// What a planner may be made from. Sampling planners are given only `si`.
 struct PlannerContext
 {
-    ob::SpaceInformationPtr si;
+    ob::SpaceInformationPtr si;  ///< what OMPL's planners are made from
     /// Makes the poles of the robot and the obstacles, which takes time and memory that only those who ask for them
     /// shall spend. Unset: nothing is known but `si`.
     std::function<std::shared_ptr<const RepulsionModel>()> repulsion;
@@ -29,13 +29,15 @@ struct PlannerContext
         false;  ///< the problem's goal is a TipPathGoal: who does not follow one is led through it leg by leg
 };
 
+/// A planner in the table.
 struct PlannerEntry
 {
-    std::string name;     ///< OMPL's class name in lower case, or ours
-    std::string summary;  ///< one line: what it does, whose it is
-    bool usesModel = false;
+    std::string name;             ///< OMPL's class name in lower case, or ours
+    std::string summary;          ///< one line: what it does, whose it is
+    bool usesModel = false;       ///< needs PlannerContext::repulsion and the like
     bool threaded = false;        ///< plans with threads of its own, so that runs cannot be repeated exactly
     bool followsTipPath = false;  ///< reaches all points of a tip path by itself; others get it leg by leg
+    /// A new planner with its defaults.
     std::function<ob::PlannerPtr(const PlannerContext &)> make;
     /// Empty if the planner can work in this space, else why not. May be unset: then it can work in all.
     std::function<std::string(const PlannerContext &)> unsupported;

@@ -27,13 +27,14 @@ struct NarrowsPluginPlanner
     bool threaded;  ///< plans with threads of its own, so that runs cannot be repeated exactly
 };
 
+/// What a plugin's entry point returns: what it was built with, then its planners.
 struct NarrowsPlugin
 {
-    int interface;  ///< NARROWS_PLUGIN_INTERFACE
-    int ompl;       ///< OMPL_VERSION_VALUE
-    int abi;        ///< NARROWS_PLUGIN_ABI
-    int count;      ///< of planners
-    const NarrowsPluginPlanner *planners;
+    int interface;                         ///< NARROWS_PLUGIN_INTERFACE
+    int ompl;                              ///< OMPL_VERSION_VALUE
+    int abi;                               ///< NARROWS_PLUGIN_ABI
+    int count;                             ///< of planners
+    const NarrowsPluginPlanner *planners;  ///< `count` of them, valid as long as the library is loaded
 };
 
 #if defined(__GXX_ABI_VERSION) && defined(_GLIBCXX_USE_CXX11_ABI)

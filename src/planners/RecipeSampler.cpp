@@ -28,8 +28,8 @@ double throatWidth(const RepulsionModel &model, const Eigen::VectorXd &q)
 }
 }  // namespace
 
-RecipeSampler::RecipeSampler(std::shared_ptr<const RepulsionModel> model, const CurveEnds &ends, int rows)
-  : model_(std::move(model)), ends_(ends), rows_(rows)
+RecipeSampler::RecipeSampler(std::shared_ptr<const RepulsionModel> model, const CurveEnds &ends, int rows, double unit)
+  : model_(std::move(model)), ends_(ends), rows_(rows), unit_(unit)
 {
     atStart_ = model_->surroundings(ends.start, throatWidth(*model_, ends.start));
     atGoal_ = model_->surroundings(ends.goal, throatWidth(*model_, ends.goal));
@@ -59,7 +59,7 @@ CurveRecipe RecipeSampler::draw(ompl::RNG &random)
     charge(random, recipe);
     recipe.window.lambdaMin = held ? -3.0 : -0.1;
     recipe.window.lambdaMax = held ? 2.0 : 1.5;
-    recipe.window.maxDeviation = deviationPerJoint * std::sqrt(static_cast<double>(ends_.start.size()));
+    recipe.window.maxDeviation = unit_ * deviationPerJoint * std::sqrt(static_cast<double>(ends_.start.size()));
     if (held)
     {
         reverse_ = recipe;
@@ -128,11 +128,11 @@ void RecipeSampler::charge(ompl::RNG &random, CurveRecipe &recipe) const
     const std::size_t groups = model_->groups().size();
     const std::vector<int> &sides = (atGoal_.clearance < atStart_.clearance ? atGoal_ : atStart_).sides;
     recipe.strengths = Eigen::MatrixXd::Zero(rows_, static_cast<Eigen::Index>(groups));
-    // Links in space have no sides: curves pass obstacles on any side, so that poles of one sign, which do not cancel
-    // each other, do best; and they pass through rings, which takes weak ones.
-    const bool planar = std::any_of(sides.begin(), sides.end(), [](int side) { return side != 0; });
+    // In space obstacles have no sides: curves pass obstacles on any side, so that poles of one sign, which do not
+    // cancel each other, do best; and they pass through rings, which takes weak ones.
+    const bool planar = model_->workspace() == 2;
     const double least = planar ? weakest : weakestInSpace;
-    const double share = std::exp(random.uniformReal(std::log(least), std::log(strongest)));
+    const double share = unit_ * std::exp(random.uniformReal(std::log(least), std::log(strongest)));
     const bool byRule = random.uniform01() < (planar ? sidedPart : equalPart);
     const int mirror = random.uniformBool() ? 1 : -1;
     for (std::size_t i = 0; i < groups; ++i)
@@ -163,9 +163,9 @@ void RecipeSampler::balance(ompl::RNG &random, Eigen::Ref<Eigen::RowVectorXd, 0,
             const Eigen::Map<const Eigen::RowVectorXd> all(end->weights.data(), strengths.size());
             const Eigen::RowVectorXd weights = present.select(all, 0.0);
             const double value = weights.dot(strengths);
-            if (!(std::abs(value) > mostAtEnds))
+            if (!(std::abs(value) > mostAtEnds * unit_))
                 continue;
-            const double wanted = std::copysign(mostAtEnds * random.uniform01(), value);
+            const double wanted = std::copysign(mostAtEnds * unit_ * random.uniform01(), value);
             strengths -= (value - wanted) / weights.squaredNorm() * weights;
         }
     }

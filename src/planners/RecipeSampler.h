@@ -34,7 +34,8 @@ class RecipeSampler
 {
 public:
     /// \param rows rows of W, each with poles and a direction of its own; >= 1
-    RecipeSampler(std::shared_ptr<const RepulsionModel> model, const CurveEnds &ends, int rows);
+    /// \param unit the length in joint space that counts as a radian, > 0: for robots without turning joints
+    RecipeSampler(std::shared_ptr<const RepulsionModel> model, const CurveEnds &ends, int rows, double unit = 1.0);
 
     /// The next homotopy to try. All chance comes from `random`.
     CurveRecipe next(ompl::RNG &random);
@@ -51,6 +52,7 @@ private:
     std::shared_ptr<const RepulsionModel> model_;
     CurveEnds ends_;
     int rows_;
+    double unit_;
     Surroundings atStart_, atGoal_;
     int drawn_ = 0;
     std::optional<CurveRecipe> reverse_;  ///< the last recipe in the other direction, if that is to be tried next

@@ -51,10 +51,12 @@ public:
     /// what has not been tried yet.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
-    void getPlannerData(ob::PlannerData &data) const override;
+    void clear() override;                                      ///< Forgets the search, not the parameters.
+    void getPlannerData(ob::PlannerData &data) const override;  ///< What has been searched, starts and goals marked.
     std::map<std::string, std::string> recipe() const override;
 
+    ///@{
+    /// A parameter: meaning, unit and range are those of params() and the text above.
     /// \throws std::invalid_argument from every setter if the value is out of range.
     void setMode(const std::string &mode);
     std::string getMode() const;
@@ -72,6 +74,7 @@ public:
     int getEasing() const { return settings_.easing; }
     void setRetraction(double depth);
     double getRetraction() const { return settings_.retraction; }
+    ///@}
 
 private:
     void declareParameters();

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/ViaPointHomotopy.h"
 
-#include <stdexcept>
-
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include "kernel/trajectory/StopAndGo.h"
+#include "spaces/JointStateSpace.h"
 #include "spaces/OmplVersions.h"
 #include "validity/ArmValidityChecker.h"
 #include "validity/TrajectoryCertificate.h"
@@ -18,20 +17,11 @@ namespace
 constexpr double viaSpread = 0.5;            // deviation of a via, in distances from start to goal
 constexpr std::uint64_t proofEffort = 3000;  // placements: a motion that needs more grazes something
 constexpr int deepestSample = 30;            // halvings of a piece
-
-const ArmStateSpace *armSpace(const ob::SpaceInformationPtr &si)
-{
-    const auto *space = dynamic_cast<const ArmStateSpace *>(si->getStateSpace().get());
-    if (space == nullptr)
-        throw std::invalid_argument("viapoint plans for arms");
-    return space;
-}
 }  // namespace
 
 ViaPointHomotopy::ViaPointHomotopy(const ob::SpaceInformationPtr &si, bool selfCollision)
   : ModelPlanner(si, "ViaPointHomotopy"),
-    space_(armSpace(si)),
-    coordinates_(*space_),
+    space_(jointsOf(si->getStateSpace())),
     selfCollision_(selfCollision),
     velocity_(Eigen::VectorXd::Constant(1, 1.5)),
     acceleration_(Eigen::VectorXd::Constant(1, 4.0)),
@@ -39,11 +29,19 @@ ViaPointHomotopy::ViaPointHomotopy(const ob::SpaceInformationPtr &si, bool selfC
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
+    if (space_ != nullptr)
+        coordinates_.emplace(*space_);
     declareParameters();
 }
 
 ob::PlannerStatus ViaPointHomotopy::solve(const ob::PlannerTerminationCondition &ptc)
 {
+    if (space_ == nullptr)
+    {
+        checkValidity();
+        reason_ = "space";
+        return ob::PlannerStatus::ABORT;
+    }
     if (const ob::PlannerStatus opened = open(ptc); opened != ob::PlannerStatus::UNKNOWN)
         return opened;
     if (!goal_)
@@ -94,11 +92,11 @@ std::optional<og::PathGeometric> ViaPointHomotopy::polyline(const ob::PlannerTer
 
 std::optional<og::PathGeometric> ViaPointHomotopy::throughOneVia()
 {
-    const double spread = viaSpread * si_->distance(startState_->get(), goal_->get()) /
-                          std::sqrt(static_cast<double>(space_->getDimension()));
+    const unsigned int joints = si_->getStateDimension();
+    const double spread = viaSpread * si_->distance(startState_->get(), goal_->get()) / std::sqrt(joints);
     ob::ScopedState<> via(si_->getStateSpace());
-    space_->interpolate(startState_->get(), goal_->get(), 0.5, via.get());
-    for (unsigned int i = 0; i < space_->getDimension(); ++i)
+    si_->getStateSpace()->interpolate(startState_->get(), goal_->get(), 0.5, via.get());
+    for (unsigned int i = 0; i < joints; ++i)
         via[i] += rng_.gaussian(0.0, spread);
     via.enforceBounds();
     if (!si_->isValid(via.get()) || !si_->checkMotion(startState_->get(), via.get()) ||
@@ -143,7 +141,7 @@ void ViaPointHomotopy::shorten(og::PathGeometric &path) const
 
 void ViaPointHomotopy::addTrajectory(const og::PathGeometric &polyline, const ob::PlannerTerminationCondition &ptc)
 {
-    vias_ = coordinates_.along(polyline);
+    vias_ = coordinates_->along(polyline);
     measures_["vias"] = static_cast<double>(vias_.cols()) - 2.0;
     const auto *checker = dynamic_cast<const ArmValidityChecker *>(si_->getStateValidityChecker().get());
     if (!smooth_ || checker == nullptr)
@@ -195,7 +193,7 @@ bool ViaPointHomotopy::sample(double from, double to, int depth, og::PathGeometr
     JointTrajectory::States joints;
     trajectory_->at(to, joints);
     ob::ScopedState<> end(si_->getStateSpace());
-    coordinates_.toState(joints.col(0), end.get());
+    coordinates_->toState(joints.col(0), end.get());
     end.enforceBounds();
     if (si_->equalStates(path.getStates().back(), end.get()))
         return true;

@@ -36,16 +36,18 @@ class ViaPointHomotopy : public ModelPlanner
 {
 public:
     /// \param selfCollision whether the state validity checker lets links not touch each other
-    /// \throws std::invalid_argument unless the space is an ArmStateSpace
+    /// \param si of an ArmStateSpace or any other RealVectorStateSpace; see jointsOf(). Motions are certified and need
+    /// not stop at vias where its state validity checker is an ArmValidityChecker.
     ViaPointHomotopy(const ob::SpaceInformationPtr &si, bool selfCollision);
 
     /// Besides OMPL's usual statuses ABORT when the trees give up. In mode `polyline` the path's states are the vias;
     /// in mode `smooth` they lie on the smooth motion, near enough to each other for the motion validator to accept
-    /// what is between them. reason() is `timeout` or `no_chain`. A later call goes on where this one stopped.
+    /// what is between them. reason() is `timeout` or `no_chain`, or `space` with ABORT if the space is no
+    /// RealVectorStateSpace. A later call goes on where this one stopped.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
-    void getPlannerData(ob::PlannerData &data) const override;
+    void clear() override;                                      ///< Forgets the search, not the parameters.
+    void getPlannerData(ob::PlannerData &data) const override;  ///< What has been searched, starts and goals marked.
 
     /// How to drive along the solution: joints as the space counts them, without wrapping; keeps the limits at all
     /// times. In mode `polyline`, and where no deformation can be certified, it stops at every via. Null without an
@@ -54,6 +56,8 @@ public:
     /// The polyline that the trajectory was made from, one column per via; empty without a solution.
     const Eigen::MatrixXd &vias() const override { return vias_; }
 
+    ///@{
+    /// A parameter: meaning, unit and range are those of params() and the text above.
     /// \throws std::invalid_argument from every setter if the value is out of range.
     void setMode(const std::string &mode);
     std::string getMode() const { return smooth_ ? "smooth" : "polyline"; }
@@ -71,6 +75,7 @@ public:
     int getViaAttempts() const { return viaAttempts_; }
     void setRange(double range);
     double getRange() const { return range_; }
+    ///@}
 
 private:
     enum class Stage
@@ -96,8 +101,8 @@ private:
     /// Appends states up to a time, so many that the motions between them are accepted.
     bool sample(double from, double to, int depth, og::PathGeometric &path) const;
 
-    const ArmStateSpace *space_;
-    JointCoordinates coordinates_;
+    std::shared_ptr<const ArmStateSpace> space_;  ///< null if there is nothing to plan in
+    std::optional<JointCoordinates> coordinates_;
     bool selfCollision_;
     ompl::RNG rng_;
 

@@ -41,7 +41,7 @@ void ViaPointHomotopy::setMode(const std::string &mode)
 Eigen::VectorXd ViaPointHomotopy::limitsFrom(const std::string &text, const char *name) const
 {
     const Eigen::VectorXd values = parseVector(text);
-    require(values.size() == 1 || values.size() == static_cast<Eigen::Index>(space_->getDimension()),
+    require(values.size() == 1 || values.size() == static_cast<Eigen::Index>(si_->getStateDimension()),
             std::string(name) + " takes one number, or one for each joint");
     require(values.allFinite() && (values.array() > 0.0).all(), std::string(name) + " must be positive and finite");
     return values;
@@ -108,7 +108,7 @@ std::vector<MotionLimits> ViaPointHomotopy::limits() const
         return values[values.size() == 1 ? 0 : joint];
     };
     std::vector<MotionLimits> result;
-    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(space_->getDimension()); ++i)
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(si_->getStateDimension()); ++i)
         result.push_back({of(velocity_, i), of(acceleration_, i), of(jerk_, i)});
     return result;
 }

@@ -37,9 +37,12 @@ struct ArmJoint
 class ArmStateSpace : public ob::RealVectorStateSpace
 {
 public:
+    /// Is this joint a circle, on which pi and -pi are the same?
     bool wraps(unsigned int joint) const { return wraps_[joint] != 0; }
+    /// One per dimension.
     const std::vector<ArmJoint> &joints() const { return joints_; }
 
+    /// Sets q, resized as needed, to the configuration of a state.
     virtual void toConfiguration(const ob::State *state, Eigen::VectorXd &q) const = 0;
     /// Wrapping joints are brought into [-pi, pi].
     virtual void fromConfiguration(ConfigurationRef q, ob::State *state) const = 0;
@@ -48,6 +51,8 @@ public:
     /// The waypoints as configurations, unwrapped as `verify()` wants them.
     std::vector<Eigen::VectorXd> unwrap(const og::PathGeometric &path) const;
 
+    ///@{
+    /// What ob::StateSpace says of it, with joints that wrap.
     double getMaximumExtent() const override;
     double distance(const ob::State *a, const ob::State *b) const override;
     bool equalStates(const ob::State *a, const ob::State *b) const override;
@@ -55,8 +60,10 @@ public:
     bool satisfiesBounds(const ob::State *state) const override;
     void interpolate(const ob::State *from, const ob::State *to, double t, ob::State *state) const override;
     ob::StateSamplerPtr allocDefaultStateSampler() const override;
+    ///@}
 
 protected:
+    /// \pre joints are not empty, those that do not turn have limits, and limits are ordered
     explicit ArmStateSpace(std::vector<ArmJoint> joints);
 
     /// to - from as the space counts, the short way for wrapping joints.

@@ -45,4 +45,21 @@ void JointStateSpace::displacement(const ob::State *from, const ob::State *to, E
     for (unsigned int i = 0; i < dimension_; ++i)
         delta[i] = jointDifference(i, from->as<StateType>()->values[i], to->as<StateType>()->values[i]);
 }
+
+std::shared_ptr<const ArmStateSpace> jointsOf(const ob::StateSpacePtr &space)
+{
+    if (auto arm = std::dynamic_pointer_cast<const ArmStateSpace>(space))
+        return arm;
+    const auto *plain = dynamic_cast<const ob::RealVectorStateSpace *>(space.get());
+    if (plain == nullptr || plain->getDimension() == 0)
+        return nullptr;
+    std::vector<ArmJoint> joints;
+    for (unsigned int i = 0; i < plain->getDimension(); ++i)
+    {
+        const Interval bounds{plain->getBounds().low[i], plain->getBounds().high[i]};
+        const bool bounded = bounds.lower < bounds.upper;
+        joints.push_back({!bounded, bounded ? std::optional<Interval>(bounds) : std::nullopt});
+    }
+    return std::make_shared<const JointStateSpace>(joints);
+}
 }  // namespace narrows

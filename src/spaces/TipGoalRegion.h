@@ -20,6 +20,7 @@ public:
     /// \pre the state space of `si` is a `Space` and `goal.link` one of its links.
     ArmTipGoalRegion(const ob::SpaceInformationPtr &si, const TipTarget &goal);
 
+    /// Which tip shall be where.
     const TipTarget &goal() const { return goal_; }
 
     /// How far the tip is from the point.
@@ -27,7 +28,7 @@ public:
 
     /// If no free state is found in 100 tries, the last try is given out, wherever it is; planners check validity.
     void sampleGoal(ob::State *state) const override;
-    unsigned int maxSampleCount() const override;
+    unsigned int maxSampleCount() const override;  ///< As many as an unsigned int can count.
 
 private:
     const Space *space_;

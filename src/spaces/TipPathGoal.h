@@ -17,6 +17,7 @@ public:
     /// \throws std::invalid_argument if the path has no points
     TipPathGoal(const ob::SpaceInformationPtr &si, const SpatialTipPath &path);
 
+    /// Which tip shall be where, one place after the other.
     const SpatialTipPath &path() const { return path_; }
 
 private:

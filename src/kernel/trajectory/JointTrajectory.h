@@ -18,11 +18,11 @@ public:
 
     virtual ~JointTrajectory() = default;
 
-    virtual Eigen::Index joints() const = 0;
+    virtual Eigen::Index joints() const = 0;  ///< How many joints move.
     /// > 0.
     virtual double duration() const = 0;
     /// What all joints do at a time; where derivatives jump, one of the two limits.
-    /// \param state resized as needed
+    /// \param t seconds, if limits were per second \param state resized as needed
     virtual void at(double t, States &state) const = 0;
     /// One joint's motion, for certified bounds. It refers to this trajectory.
     virtual std::unique_ptr<PiecewiseMotion> joint(Eigen::Index index) const = 0;
