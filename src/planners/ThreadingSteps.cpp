@@ -73,7 +73,7 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    if (!isDeep(next_) && !meetsObstacle(from, step_) && extend(way, next_, levelOf(way.stride), true))
+    if (!isDeep(next_) && !meetsObstacle(from, step_) && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
     return Progress::Trapped;
