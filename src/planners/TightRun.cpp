@@ -7,6 +7,8 @@
 
 #include "kernel/chain/ChainMotionProof.h"
 #include "planners/ChainRobot.h"
+#include "validity/ArmValidityChecker.h"
+#include "validity/ContinuousMotionValidator.h"
 
 namespace narrows
 {
@@ -183,11 +185,12 @@ private:
         return "";
     }
 
-    /// By margins if they suffice, else by the validator if it may be asked.
+    /// By margins if they suffice, else by the validator if it may be asked. Margins are about robot and obstacles:
+    /// they say nothing of what somebody else's checker or validator wants to know.
     bool isFree(const Eigen::VectorXd &from, const Eigen::VectorXd &to, bool mayAsk)
     {
-        const bool proven = hasMargin(from, to);
-        const bool valid = !proven && mayAsk && isValid(from, to);
+        const bool proven = marginsCount_ && hasMargin(from, to);
+        const bool valid = !proven && (mayAsk || !marginsCount_) && isValid(from, to);
         measures_["motions_by_margin"] += proven ? 1.0 : 0.0;
         measures_["motions_by_validator"] += valid ? 1.0 : 0.0;
         return proven || valid;
@@ -217,6 +220,9 @@ private:
 
     ob::SpaceInformationPtr si_;
     const Space *space_;
+    const bool marginsCount_ =
+        dynamic_cast<const ArmValidityChecker *>(si_->getStateValidityChecker().get()) != nullptr &&
+        dynamic_cast<const ContinuousMotionValidator *>(si_->getMotionValidator().get()) != nullptr;
     ChainRobot<D> robot_;
     TightSettings settings_;
     Eigen::VectorXd start_;

@@ -25,8 +25,8 @@ struct TightOutcome
 };
 
 /// The way of one chain to one goal, in the plane or in space: tries one path of TightSearch after the other, and turns
-/// the first that a chain can follow into motions that are proven: by margins (ChainMotionProof), else by the
-/// validator.
+/// the first that a chain can follow into motions that are proven: by margins (ChainMotionProof) if state checker and
+/// motion validator are this library's own, else by the validator.
 class TightRun
 {
 public:
