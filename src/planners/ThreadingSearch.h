@@ -124,7 +124,7 @@ private:
         Eigen::VectorXd goal;
         Stride stride;
         bool isGiven = false;  ///< the way to the goal is the difference, not the short way round
-        bool isPlain = false;  ///< blocked steps are given up
+        bool isPlain = false;  ///< blocked steps are given up, and of its nodes nearest() finds the last one only
         int unlisted = 0;      ///< nodes of a row that nearest() does not find yet
         int slides = 0;        ///< centred steps so far
         bool sliding = false;  ///< the last step was a centred one
