@@ -24,7 +24,7 @@ Json parseJson(const std::string &text, const std::string &file)
     {
         return Json::parse(text);
     }
-    catch (const Json::parse_error &error)
+    catch (const Json::exception &error)
     {
         refuse(file, "", std::string("is not JSON: ") + error.what());
     }
