@@ -438,6 +438,7 @@ TEST_F(CommandLine, ForeignDatabasesAreCode2)
     {
         EXPECT_EQ(narrows(command + text).code, 2);
         EXPECT_EQ(narrows(command + folder_ + "/none.db").code, 2);
+        EXPECT_EQ(narrows(command + folder_ + "/" + std::string(300, 'x')).code, 2);
     }
     EXPECT_EQ(narrows("bench " + experiment() + " --resume --db " + text).code, 2);
     EXPECT_EQ(narrows("bench " + experiment() + " --db /proc/none/a.db").code, 2);

@@ -142,6 +142,26 @@ TEST_F(ExperimentFile, LimitsAreThreePositiveNumbersOrNone)
     }
 }
 
+TEST_F(ExperimentFile, MotionIsContinuousOrAResolutionThatOmplTakes)
+{
+    const std::string planner = "[planner]\nrrtconnect =\n";
+    EXPECT_EQ(read(head_ + "[benchmark]\nmotion = 0.999\n" + planner).motions, std::vector<std::string>{"0.999"});
+    for (const char *motion : {"0", "1", "1e-320", "-0.1", "nan", "0.1x", "sampled"})
+    {
+        std::ofstream(path_) << head_ + "[benchmark]\nmotion = " + motion + "\n" + planner;
+        EXPECT_THAT(faultsOf(path_),
+                    testing::ElementsAre(testing::StartsWith("5: benchmark.motion: motion \"" + std::string(motion) +
+                                                             "\" is neither \"continuous\" nor a resolution")));
+    }
+}
+
+TEST_F(ExperimentFile, ANameTooLongForAnyFileIsOneThatIsNotThere)
+{
+    std::ofstream(path_) << "[problem]\nname = test\nscenario = " << std::string(300, 'x')
+                         << ".yaml\n[planner]\nsbl =\n";
+    EXPECT_THAT(faultsOf(path_), testing::ElementsAre(testing::StartsWith("3: problem.scenario: there is no file ")));
+}
+
 TEST_F(ExperimentFile, ExpandsToEveryRunOnceInBlocks)
 {
     const Experiment experiment = read(head_ +

@@ -160,7 +160,8 @@ private:
             if (name.empty())
                 continue;  // already reported as a bad list
             const std::string path = resolved(name);
-            if (!std::filesystem::is_regular_file(path))
+            std::error_code error;  // a name may be too long to be asked about
+            if (!std::filesystem::is_regular_file(path, error))
                 fault(lines_.at("problem.scenario"), "problem.scenario", "there is no file " + path);
             else
                 readScenarioFile(path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -68,6 +69,11 @@ int main(int argc, char **argv)
         exitCode = ExitUsage;
     }
     catch (const std::invalid_argument &error)
+    {
+        std::cerr << error.what() << "\n";
+        exitCode = ExitUsage;
+    }
+    catch (const std::filesystem::filesystem_error &error)
     {
         std::cerr << error.what() << "\n";
         exitCode = ExitUsage;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/Problem.h"
 
+#include <limits>
 #include <stdexcept>
 
 #include <ompl/base/goals/GoalState.h>
@@ -71,8 +72,11 @@ void setMotionValidator(const ob::SpaceInformationPtr &si, const std::string &mo
     {
         read = 0;
     }
-    if (read != motion.size() || !(resolution > 0.0 && resolution <= 1.0))
-        throw std::invalid_argument("motion \"" + motion + "\" is neither \"continuous\" nor a resolution in (0, 1]");
+    // OMPL throws an exception of its own outside of this range.
+    constexpr double least = std::numeric_limits<double>::epsilon();
+    if (read != motion.size() || !(resolution >= least && resolution <= 1.0 - least))
+        throw std::invalid_argument("motion \"" + motion +
+                                    "\" is neither \"continuous\" nor a resolution greater than 0 and less than 1");
     si->setStateValidityCheckingResolution(resolution);
     si->setMotionValidator(std::make_shared<SampledMotionValidator>(si, checker, counts));
 }

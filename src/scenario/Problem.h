@@ -18,7 +18,7 @@ namespace narrows
 struct ProblemOptions
 {
     std::string checker = "analytic";   ///< analytic | fcl
-    std::string motion = "continuous";  ///< continuous | OMPL's resolution as a number, e.g. "0.01"
+    std::string motion = "continuous";  ///< continuous | OMPL's resolution in (0, 1), e.g. "0.01"
     /// absolute | relative (joints without limits wrap) | absolute_line | relative_line (they do not) | scenario: the
     /// convention in which the scenario file counts its angles, wrapping. Robots in space have no absolute angles
     std::string space = "scenario";
