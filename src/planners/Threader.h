@@ -119,7 +119,7 @@ private:
     struct Trait
     {
         const char *name;  ///< of the measure solved_by_...
-        int share;         ///< samples for every one in all of joint space
+        int share;         ///< samples, in parts of what a round is about
         int windingShare;  ///< the same where passages wind but are not narrow (ThreadingSearch::isWinding)
         double range;      ///< longest step, radians
     };

@@ -10,7 +10,7 @@ namespace narrows
 {
 namespace
 {
-constexpr int firstBudget = 24;  ///< samples in all of joint space in the first round
+constexpr int firstBudget = 24;  ///< samples of the first round, times a member's share
 constexpr double growth = 1.5;   ///< of that, from round to round
 constexpr double mostSamples = 1e6;
 constexpr int firstTraces = 4;  ///< round of the first curves
@@ -18,13 +18,13 @@ constexpr int tracesPerRound = 4;
 constexpr int leastDimension = 3;   ///< of slices
 constexpr double longRange = 3.0;   ///< radians: in the open
 constexpr double shortRange = 0.5;  ///< in narrow places
-constexpr int openSamples = 12;     ///< that are taken for samples in the open, to begin with
+constexpr int openSamples = 48;     ///< that are taken for samples in the open, to begin with
 }  // namespace
 
 const Threader::Trait &Threader::traitOf(Member::Kind kind)
 {
     static const std::array<Trait, 4> traits{
-        {{"full", 1, 1, longRange}, {"slice", 5, 1, 0.8}, {"cells", 1, 40, 2.0}, {"traces", 0, 0, 0.0}}};
+        {{"full", 2, 2, longRange}, {"slice", 5, 1, 0.8}, {"cells", 1, 40, 2.0}, {"traces", 0, 0, 0.0}}};
     return traits[static_cast<std::size_t>(kind)];
 }
 

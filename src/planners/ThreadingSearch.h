@@ -103,6 +103,9 @@ private:
     /// One of so many blocked steps goes on through a gap where gaps matter. Measured: half of them and more; in mazes
     /// with openings that count as gaps a fifth; else none.
     static constexpr int leastGapSteps = 3;
+    /// Until so many steps have been blocked, motions are certified without looking at them first, and blocked steps
+    /// not bent: in the open, the next sample costs less.
+    static constexpr int openSteps = 3;
 
     enum class Progress
     {
@@ -144,6 +147,8 @@ private:
     TipCells &cellsOf(int side);
     void measureWay(const Way &way);
 
+    /// Whether nothing has shown yet that the place is other than open.
+    bool looksOpen() const { return counts_.blocked <= openSteps; }
     Progress advance(Way &way, ompl::RNG &random);
     Progress stepStraight(Way &way);
     Progress slide(Way &way, ompl::RNG &random);

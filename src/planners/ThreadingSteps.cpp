@@ -66,14 +66,15 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     {
         write(way.side, way.node, from_.get());
         write(1 - way.side, way.target, to_.get());
-        const bool free = !meetsObstacle(from, direction_) && si_->checkMotion(from_.get(), to_.get());
+        const bool free = (looksOpen() || !meetsObstacle(from, direction_)) && si_->checkMotion(from_.get(), to_.get());
         counts_.blocked += free ? 0 : 1;
         return free ? Progress::Reached : Progress::Trapped;
     }
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    if (!isDeep(next_) && !meetsObstacle(from, step_) && extend(way, next_, levelOf(way.stride), !way.isPlain))
+    const bool mayBeFree = looksOpen() || (!isDeep(next_) && !meetsObstacle(from, step_));
+    if (mayBeFree && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
     return Progress::Trapped;

@@ -30,18 +30,20 @@ bool meet(const Bounds &one, const Bounds &other)
 }  // namespace
 
 DeepestOverlap::DeepestOverlap(const PlanarModel &model)
-  : arm_(model.arm), points_(model.arm.links().size() + 1), links_(model.arm.links().size())
+  : arm_(model.arm),
+    shapes_(model.obstacles),
+    obstacles_(model.obstacles.size()),
+    points_(model.arm.links().size() + 1),
+    links_(model.arm.links().size())
 {
-    double longest = 0.0;
     for (std::size_t t = 0; t < links_.size(); ++t)
     {
         const double length = arm_.links()[t].length;
         links_[t].inverseSquare = 1.0 / (length * length);
-        longest = std::max(longest, length);
+        longestLink_ = std::max(longestLink_, length);
     }
     for (const PlanarObstacle &obstacle : model.obstacles)
     {
-        obstacles_.push_back(makeLinkObstacle(obstacle, arm_.radius(), 0.5 * longest));
         boxes_.push_back(bounds(obstacle));
         boxes_.back().lower.array() -= arm_.radius();
         boxes_.back().upper.array() += arm_.radius();
@@ -110,7 +112,7 @@ double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
         {
             if (!meet(box, boxes_[i]))
                 continue;
-            const LinkTerm term = obstacles_[i]->pole(links_[t]);
+            const LinkTerm term = obstacle(i).pole(links_[t]);
             if (!(term.value < depth))
                 continue;
             depth = term.value;
@@ -127,13 +129,20 @@ double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
     return depth;
 }
 
-bool DeepestOverlap::overlaps() const
+const LinkObstacle &DeepestOverlap::obstacle(std::size_t i)
+{
+    if (!obstacles_[i])
+        obstacles_[i] = makeLinkObstacle(shapes_[i], arm_.radius(), 0.5 * longestLink_);
+    return *obstacles_[i];
+}
+
+bool DeepestOverlap::overlaps()
 {
     for (const Segment &link : links_)
     {
         const Bounds box = boxOf(link);
         for (std::size_t i = 0; i < boxes_.size(); ++i)
-            if (meet(box, boxes_[i]) && obstacles_[i]->pole(link).value < 0.0)
+            if (meet(box, boxes_[i]) && obstacle(i).pole(link).value < 0.0)
                 return true;
     }
     return false;

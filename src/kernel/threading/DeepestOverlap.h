@@ -33,9 +33,13 @@ private:
     void halve(const Directions &from, const Directions &to, ConfigurationRef q, ConfigurationRef delta, double t,
                double half, Directions &result) const;
     void place(const Directions &directions, double slide);
-    bool overlaps() const;
+    bool overlaps();
+    /// Made when a link comes near it for the first time: in the open, most never are.
+    const LinkObstacle &obstacle(std::size_t i);
 
     PlanarArm arm_;
+    double longestLink_ = 0.0;
+    std::vector<PlanarObstacle> shapes_;
     std::vector<std::unique_ptr<const LinkObstacle>> obstacles_;
     std::vector<Bounds> boxes_;
     std::array<Directions, mostParts + 1> directions_;
