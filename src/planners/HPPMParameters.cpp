@@ -54,14 +54,12 @@ void HPPM::declareParameters()
 
 void HPPM::setSearch(const std::string &search)
 {
-    require(search == "restarts" || search == "paper", "search is restarts or paper, not \"" + search + "\"");
-    restarts_ = search == "restarts";
+    restarts_ = oneOf({"restarts", "paper"}, search, "search") == "restarts";
 }
 
 void HPPM::setTries(int tries)
 {
-    require(tries >= 1 && tries <= 1000000, "tries must lie between 1 and 1000000");
-    tries_ = tries;
+    tries_ = within(1, tries, 1000000, "tries");
 }
 
 void HPPM::setPoleRows(int rows)
@@ -73,26 +71,22 @@ void HPPM::setPoleRows(int rows)
 
 void HPPM::setGoalCandidates(int count)
 {
-    require(count >= 1 && count <= 100, "goal_candidates must lie between 1 and 100");
-    goalCandidates_ = count;
+    goalCandidates_ = within(1, count, 100, "goal_candidates");
 }
 
 void HPPM::setForm(const std::string &form)
 {
-    require(form == "plane" || form == "full", "form is plane or full, not \"" + form + "\"");
-    full_ = form == "full";
+    full_ = oneOf({"plane", "full"}, form, "form") == "full";
 }
 
 void HPPM::setPoles(const std::string &poles)
 {
-    require(poles == "points" || poles == "continuous", "poles are points or continuous, not \"" + poles + "\"");
-    given_.continuous = poles == "continuous";
+    given_.continuous = oneOf({"points", "continuous"}, poles, "poles") == "continuous";
 }
 
 void HPPM::setPointsPerLink(int points)
 {
-    require(points >= 1 && points <= 200, "points_per_link must lie between 1 and 200");
-    given_.pointsPerLink = points;
+    given_.pointsPerLink = within(1, points, 200, "points_per_link");
 }
 
 void HPPM::setRepulsion(const std::string &lists)
@@ -164,8 +158,7 @@ std::string HPPM::getTurns() const
 
 void HPPM::setTracedFrom(const std::string &end)
 {
-    require(end == "start" || end == "goal", "traced_from is start or goal, not \"" + end + "\"");
-    given_.fromGoal = end == "goal";
+    given_.fromGoal = oneOf({"start", "goal"}, end, "traced_from") == "goal";
 }
 
 void HPPM::setHeld(const std::string &list)
@@ -189,33 +182,27 @@ void HPPM::setHeldShare(double share)
 
 void HPPM::setRadius(double radius)
 {
-    require(radius >= 1e-4 && radius <= 1.0, "radius must lie between 0.0001 and 1");
-    spheres_.radius = radius;
+    spheres_.radius = within(1e-4, radius, 1.0, "radius");
 }
 
 void HPPM::setOrientation(const std::string &orientation)
 {
-    require(orientation == "increasing" || orientation == "decreasing",
-            "orientation is increasing or decreasing, not \"" + orientation + "\"");
-    given_.window.decreasing = orientation == "decreasing";
+    given_.window.decreasing = oneOf({"increasing", "decreasing"}, orientation, "orientation") == "decreasing";
 }
 
 void HPPM::setLambdaMin(double lambda)
 {
-    require(lambda >= -10.0 && lambda <= -0.001, "lambda_min must lie between -10 and -0.001");
-    given_.window.lambdaMin = lambda;
+    given_.window.lambdaMin = within(-10.0, lambda, -0.001, "lambda_min");
 }
 
 void HPPM::setLambdaMax(double lambda)
 {
-    require(lambda >= 1.0 && lambda <= 10.0, "lambda_max must lie between 1 and 10");
-    given_.window.lambdaMax = lambda;
+    given_.window.lambdaMax = within(1.0, lambda, 10.0, "lambda_max");
 }
 
 void HPPM::setMaxDeviation(double deviation)
 {
-    require(deviation >= 0.1 && deviation <= 1000.0, "max_deviation must lie between 0.1 and 1000");
-    given_.window.maxDeviation = deviation;
+    given_.window.maxDeviation = within(0.1, deviation, 1000.0, "max_deviation");
 }
 
 void HPPM::setMaxStep(double step)
@@ -226,7 +213,6 @@ void HPPM::setMaxStep(double step)
 
 void HPPM::setMaxSteps(int steps)
 {
-    require(steps >= 0 && steps <= 1000000, "max_steps must lie between 0 and 1000000");
-    maxSteps_ = steps;
+    maxSteps_ = within(0, steps, 1000000, "max_steps");
 }
 }  // namespace narrows

@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include "planners/Require.h"
 #include "planners/Threader.h"
 
 namespace narrows
 {
-namespace
-{
-/// The value, which must lie between the two others.
-template <typename Number>
-Number within(Number least, Number value, Number most, const std::string &name)
-{
-    require(value >= least && value <= most, fmt::format("{} must lie between {} and {}", name, least, most));
-    return value;
-}
-}  // namespace
-
 void Threader::declareParameters()
 {
     declareParam<bool>("straight", this, &Threader::setStraight, &Threader::getStraight, "0,1");
@@ -82,9 +69,7 @@ void Threader::setNarrow(double share)
 
 void Threader::setPolish(const std::string &aim)
 {
-    require(aim == "none" || aim == "length" || aim == "clearance",
-            "polish is none, length or clearance, not \"" + aim + "\"");
-    polish_ = aim;
+    polish_ = oneOf({"none", "length", "clearance"}, aim, "polish");
 }
 
 void Threader::setClearance(double share)

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "planners/Require.h"
 #include "planners/TightManeuvering.h"
 
 namespace narrows
 {
-namespace
-{
-void requireCount(int value, int most, const std::string &name)
-{
-    require(value >= 1 && value <= most, name + " must lie between 1 and " + std::to_string(most));
-}
-}  // namespace
-
 void TightManeuvering::declareParameters()
 {
     using Self = TightManeuvering;
@@ -27,8 +18,7 @@ void TightManeuvering::declareParameters()
 
 void TightManeuvering::setMode(const std::string &mode)
 {
-    require(mode == "relax" || mode == "middle" || mode == "beams",
-            "mode is relax, middle or beams, not \"" + mode + "\"");
+    oneOf({"relax", "middle", "beams"}, mode, "mode");
     settings_.mode = mode == "relax" ? TightMode::Relax : mode == "middle" ? TightMode::Middle : TightMode::Beams;
 }
 
@@ -39,7 +29,7 @@ std::string TightManeuvering::getMode() const
 
 void TightManeuvering::setField(const std::string &field)
 {
-    require(field == "corridor" || field == "laplace", "field is corridor or laplace, not \"" + field + "\"");
+    oneOf({"corridor", "laplace"}, field, "field");
     settings_.grid.field = field == "corridor" ? TightField::Corridor : TightField::Laplace;
 }
 
@@ -56,25 +46,21 @@ void TightManeuvering::setSpacing(double spacing)
 
 void TightManeuvering::setCorridors(int count)
 {
-    requireCount(count, 64, "corridors");
-    settings_.grid.corridors = count;
+    settings_.grid.corridors = within(1, count, 64, "corridors");
 }
 
 void TightManeuvering::setRefinements(int count)
 {
-    require(count >= 0 && count <= 4, "refinements must lie between 0 and 4");
-    settings_.grid.refinements = count;
+    settings_.grid.refinements = within(0, count, 4, "refinements");
 }
 
 void TightManeuvering::setRounds(int rounds)
 {
-    requireCount(rounds, 100'000, "rounds");
-    settings_.rounds = rounds;
+    settings_.rounds = within(1, rounds, 100'000, "rounds");
 }
 
 void TightManeuvering::setCouples(int couples)
 {
-    requireCount(couples, 4, "couples");
-    settings_.couples = couples;
+    settings_.couples = within(1, couples, 4, "couples");
 }
 }  // namespace narrows

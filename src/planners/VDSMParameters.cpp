@@ -68,8 +68,7 @@ std::string VDSM::getMargins() const
 
 void VDSM::setSideSearch(int count)
 {
-    require(count >= 1 && count <= 4096, "side_search must lie between 1 and 4096");
-    settings_.sideSearch = count;
+    settings_.sideSearch = within(1, count, 4096, "side_search");
 }
 
 void VDSM::setStep(double step)
@@ -86,8 +85,7 @@ void VDSM::setMaxJump(double jump)
 
 void VDSM::setEasing(int rounds)
 {
-    require(rounds >= 0 && rounds <= 1000, "easing must lie between 0 and 1000");
-    settings_.easing = rounds;
+    settings_.easing = within(0, rounds, 1000, "easing");
 }
 
 void VDSM::setRetraction(double depth)

@@ -34,8 +34,7 @@ void ViaPointHomotopy::declareParameters()
 
 void ViaPointHomotopy::setMode(const std::string &mode)
 {
-    require(mode == "smooth" || mode == "polyline", "mode is smooth or polyline, not \"" + mode + "\"");
-    smooth_ = mode == "smooth";
+    smooth_ = oneOf({"smooth", "polyline"}, mode, "mode") == "smooth";
 }
 
 Eigen::VectorXd ViaPointHomotopy::limitsFrom(const std::string &text, const char *name) const
@@ -79,8 +78,7 @@ std::string ViaPointHomotopy::getJerk() const
 
 void ViaPointHomotopy::setEvaluations(int count)
 {
-    require(count >= 0 && count <= mostEvaluations, "evaluations must lie between 0 and 1000000");
-    evaluations_ = count;
+    evaluations_ = within(0, count, mostEvaluations, "evaluations");
 }
 
 void ViaPointHomotopy::setMargin(double margin)
@@ -91,8 +89,7 @@ void ViaPointHomotopy::setMargin(double margin)
 
 void ViaPointHomotopy::setViaAttempts(int count)
 {
-    require(count >= 0 && count <= mostEvaluations, "via_attempts must lie between 0 and 1000000");
-    viaAttempts_ = count;
+    viaAttempts_ = within(0, count, mostEvaluations, "via_attempts");
 }
 
 void ViaPointHomotopy::setRange(double range)

@@ -24,8 +24,8 @@ Bounds boxOf(const Segment &link)
 /// Without branches: it is asked of every link and obstacle, and the answer is hard to foresee.
 bool meet(const Bounds &one, const Bounds &other)
 {
-    return static_cast<bool>((one.upper.x() >= other.lower.x()) & (one.lower.x() <= other.upper.x()) &
-                             (one.upper.y() >= other.lower.y()) & (one.lower.y() <= other.upper.y()));
+    return (int(one.upper.x() >= other.lower.x()) & int(one.lower.x() <= other.upper.x()) &
+            int(one.upper.y() >= other.lower.y()) & int(one.lower.y() <= other.upper.y())) != 0;
 }
 }  // namespace
 
