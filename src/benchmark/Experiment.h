@@ -89,7 +89,8 @@ struct Experiment
 Experiment readExperiment(const std::string &path);
 
 /// The same for text that is already in memory; scenarios are looked for beside `path`.
-Experiment parseExperiment(const std::string &text, const std::string &path);
+/// \param mostScenes that one scenario file may make by a sweep: more is a slip of the pen
+Experiment parseExperiment(const std::string &text, const std::string &path, int mostScenes = 100000);
 
 /// All runs in the order they shall be done: run 0 of all instances, then run 1, ... The planners of one instance and
 /// run follow each other in an order drawn from the seed, so that a drift of the machine's speed hits all of them

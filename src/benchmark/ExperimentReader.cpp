@@ -25,7 +25,7 @@ constexpr std::int64_t mostChecks = 1'000'000'000'000'000;  // that a double tel
 class ExperimentReader
 {
 public:
-    ExperimentReader(std::string text, const std::string &path)
+    ExperimentReader(std::string text, const std::string &path, int mostScenes) : mostScenes_(mostScenes)
     {
         result_.file = path;
         result_.text = std::move(text);
@@ -49,7 +49,7 @@ public:
                 hypothesisEntries.push_back(entry);
             else
                 readSetting(entry);
-        axes_ = readSweepSection(sweepEntries, result_.file, faults_);
+        axes_ = readSweepSection(sweepEntries, result_.file, mostScenes_, faults_);
         requireSettings();
         readScenarios();
         result_.output = resolved(output_);
@@ -252,6 +252,7 @@ private:
         }
     }
 
+    int mostScenes_;
     Experiment result_;
     std::vector<InputFault> faults_;
     std::map<std::string, int> lines_;  ///< of the settings given
@@ -269,8 +270,8 @@ Experiment readExperiment(const std::string &path)
     return parseExperiment(readInputText(path), path);
 }
 
-Experiment parseExperiment(const std::string &text, const std::string &path)
+Experiment parseExperiment(const std::string &text, const std::string &path, int mostScenes)
 {
-    return ExperimentReader(text, path).read();
+    return ExperimentReader(text, path, mostScenes).read();
 }
 }  // namespace narrows

@@ -14,8 +14,6 @@ namespace narrows
 {
 namespace
 {
-constexpr double mostInstances = 100000;  // of one file; more is a slip of the pen
-
 double wholeNumber(const std::string &text, const std::string &range)
 {
     const std::optional<double> value = toNumber(text);
@@ -25,7 +23,7 @@ double wholeNumber(const std::string &text, const std::string &range)
 }
 
 /// "0.1..0.2 by 0.05" as 0.1, 0.15, 0.2.
-std::vector<std::string> stepped(const std::string &range, std::size_t dots, std::size_t by)
+std::vector<std::string> stepped(const std::string &range, std::size_t dots, std::size_t by, int most)
 {
     const std::optional<double> first = toNumber(trimmed(range.substr(0, dots)));
     const std::optional<double> last = toNumber(trimmed(range.substr(dots + 2, by - dots - 2)));
@@ -33,7 +31,7 @@ std::vector<std::string> stepped(const std::string &range, std::size_t dots, std
     if (!first || !last || !step)
         throw std::invalid_argument("'" + range + "' is not a range of numbers like 0.1..0.2 by 0.05");
     const double steps = (*last - *first) / *step;
-    if (!(*step > 0.0 && steps >= 0.0 && steps < mostInstances))
+    if (!(*step > 0.0 && steps >= 0.0 && steps < most))
         throw std::invalid_argument("'" + range + "' is an empty or too large range");
     std::vector<std::string> values;
     constexpr double rounding = 1e-6;  // of a step
@@ -43,13 +41,13 @@ std::vector<std::string> stepped(const std::string &range, std::size_t dots, std
 }
 
 /// "3..5" as 3, 4, 5.
-std::vector<std::string> unfolded(const std::string &range, std::size_t dots)
+std::vector<std::string> unfolded(const std::string &range, std::size_t dots, int most)
 {
     if (const std::size_t by = range.find(" by ", dots); by != std::string::npos)
-        return stepped(range, dots, by);
+        return stepped(range, dots, by, most);
     const double first = wholeNumber(trimmed(range.substr(0, dots)), range);
     const double last = wholeNumber(trimmed(range.substr(dots + 2)), range);
-    if (last < first || last - first >= mostInstances)
+    if (last < first || last - first >= most)
         throw std::invalid_argument("'" + range + "' is an empty or too large range");
     std::vector<std::string> values;
     for (auto value = static_cast<long>(first); value <= static_cast<long>(last); ++value)
@@ -58,7 +56,7 @@ std::vector<std::string> unfolded(const std::string &range, std::size_t dots)
 }
 
 /// \throws std::invalid_argument telling what is wrong
-std::vector<std::string> readValues(const std::string &text)
+std::vector<std::string> readValues(const std::string &text, int most)
 {
     std::vector<std::string> values;
     for (const std::string &part : split(text, ','))
@@ -67,7 +65,7 @@ std::vector<std::string> readValues(const std::string &text)
             throw std::invalid_argument("expected a list separated by commas");
         const std::size_t dots = part.find("..");
         const std::vector<std::string> more =
-            dots == std::string::npos ? std::vector<std::string>{part} : unfolded(part, dots);
+            dots == std::string::npos ? std::vector<std::string>{part} : unfolded(part, dots, most);
         values.insert(values.end(), more.begin(), more.end());
     }
     if (values.empty())
@@ -82,7 +80,7 @@ std::vector<std::string> readValues(const std::string &text)
 
 /// "maze.generate.links" as an axis of the scenario called maze, "generate.links" as one of all.
 /// \throws std::invalid_argument telling what is wrong
-SweepAxis readAxis(const IniEntry &entry)
+SweepAxis readAxis(const IniEntry &entry, int most)
 {
     const std::string word = "generate.";
     const std::size_t place = entry.key.rfind(word);
@@ -90,12 +88,12 @@ SweepAxis readAxis(const IniEntry &entry)
     if (place == std::string::npos || (place != 0 && !named) || place + word.size() == entry.key.size())
         throw std::invalid_argument(
             "unknown key; this section has generate.<parameter of the family> and <scenario>.generate.<parameter>");
-    return {named ? entry.key.substr(0, place - 1) : "", entry.key.substr(place + word.size()), readValues(entry.value),
-            entry.line};
+    return {named ? entry.key.substr(0, place - 1) : "", entry.key.substr(place + word.size()),
+            readValues(entry.value, most), entry.line};
 }
 }  // namespace
 
-std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, const std::string &file,
+std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, const std::string &file, int mostScenes,
                                         std::vector<InputFault> &faults)
 {
     std::vector<SweepAxis> axes;
@@ -103,14 +101,14 @@ std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, co
     for (const IniEntry &entry : entries)
         try
         {
-            const SweepAxis axis = readAxis(entry);
+            const SweepAxis axis = readAxis(entry, mostScenes);
             for (const SweepAxis &other : axes)
                 if (other.parameter == axis.parameter && other.scenario == axis.scenario)
                     throw std::invalid_argument("already given in line " + std::to_string(other.line));
             double &count = instances.emplace(axis.scenario, 1.0).first->second;
             count *= static_cast<double>(axis.values.size());
-            if (count > mostInstances)
-                throw std::invalid_argument("makes more than 100000 instances");
+            if (count > mostScenes)
+                throw std::invalid_argument(fmt::format("makes more than {} instances", mostScenes));
             axes.push_back(axis);
         }
         catch (const std::invalid_argument &error)

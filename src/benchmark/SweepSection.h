@@ -18,8 +18,9 @@ struct SweepAxis
 };
 
 /// Reads `generate.half_width = 0.1, 0.01` and `maze.generate.seed = 1..20, 40` of the [sweep] section.
+/// \param mostScenes that one scenario file may make
 /// \param faults gains what is wrong; entries with faults make no axis
-std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, const std::string &file,
+std::vector<SweepAxis> readSweepSection(const std::vector<IniEntry> &entries, const std::string &file, int mostScenes,
                                         std::vector<InputFault> &faults);
 
 /// The axes of one scenario file: its own ones or, if it has none, those of all files.

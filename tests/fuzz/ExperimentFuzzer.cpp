@@ -5,9 +5,11 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
+    constexpr int mostScenes = 50;  // each is made, and takes milliseconds
     try
     {
-        narrows::parseExperiment(narrows::fuzzText(data, size), NARROWS_SOURCE_DIR "/experiments/fuzzed.cfg");
+        narrows::parseExperiment(narrows::fuzzText(data, size), NARROWS_SOURCE_DIR "/experiments/fuzzed.cfg",
+                                 mostScenes);
     }
     catch (const narrows::InputError &)
     {
