@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include "CorridorScene.h"
 #include "PaperCases.h"
@@ -147,6 +148,30 @@ TEST(Threader, CellsFindTheWayThroughMazes)
         byCells += attempt.measure("solved_by_cells");
     }
     EXPECT_GE(byCells, 3.0);
+}
+
+// In the open it certifies about as many motions as RRT-Connect, and bends nothing before steps have been blocked.
+TEST(Threader, StartsLean)
+{
+    double motions = 0.0, rivals = 0.0;
+    int lean = 0, bent = 0;
+    for (int seed = 1; seed <= 20; ++seed)
+    {
+        const Scenario scenario = generated("mixed", {{"links", "6"}, {"seed", std::to_string(seed)}});
+        const Attempt attempt = solve(scenario, 1);
+        expectSolved(scenario, attempt);
+        motions += static_cast<double>(attempt.problem.counts->motionChecks);
+        rivals += static_cast<double>(
+            narrows::attempt<ompl::geometric::RRTConnect>("rrtconnect", scenario, 1, {{"range", "2"}})
+                .problem.counts->motionChecks);
+        const bool isLean = attempt.measure("blocked_steps") <= 3.0;
+        lean += isLean ? 1 : 0;
+        bent += attempt.measure("bent_steps") > 0.0 ? 1 : 0;
+        EXPECT_TRUE(!isLean || attempt.measure("bent_steps") == 0.0) << seed;
+    }
+    EXPECT_GE(lean, 10);
+    EXPECT_GE(bent, 1);
+    EXPECT_LT(motions, 1.2 * rivals);
 }
 
 TEST(Threader, GoesStraightWhereItCan)
