@@ -48,7 +48,7 @@ struct Timed
 /// Stretched as far as the limits ask for that it can keep at all.
 Timed scaled(const Polyline &line, const JointTrajectory &motion)
 {
-    const Stretch stretch = stretchFor(trajectoryPeaks(motion, 1e-6), line.limits);
+    const TimeStretch stretch = stretchFor(trajectoryPeaks(motion, 1e-6), line.limits);
     return {stretch.factor * motion.duration(), stretch.keepsAll};
 }
 

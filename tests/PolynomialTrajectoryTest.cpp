@@ -109,7 +109,7 @@ TEST(TrajectoryPeaksOfJoints, JumpsMakeHigherDerivativesInfinite)
     EXPECT_NEAR(peaks[1][1].magnitude(), 3.0, 1e-12);
     EXPECT_EQ(peaks[1][2].magnitude(), INFINITY);
     EXPECT_EQ(peaks[1][3].magnitude(), INFINITY);
-    const Stretch stretch = stretchFor(peaks, {{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}});
+    const TimeStretch stretch = stretchFor(peaks, {{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}});
     EXPECT_FALSE(stretch.keepsAll);
     EXPECT_NEAR(stretch.factor, 3.0, 1e-7);
 }
@@ -125,7 +125,7 @@ TEST(TrajectoryPeaksOfJoints, RestingSplinesHaveNone)
         const std::vector<MotionPeaks> peaks = trajectoryPeaks(spline);
         EXPECT_TRUE(std::isfinite(peaks[0][3].magnitude()));
         EXPECT_LT(peaks[1][3].magnitude(), 1e-10);
-        const Stretch stretch = stretchFor(peaks, {{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}});
+        const TimeStretch stretch = stretchFor(peaks, {{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}});
         EXPECT_TRUE(stretch.keepsAll);
         EXPECT_NEAR(stretch.factor, spline.scaledTo({{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}})->duration() / 3.0, 1e-7);
     }

@@ -125,7 +125,7 @@ TEST(StopAndGo, KeepsEveryJointsLimitsAndReachesOne)
         {
             const PolynomialTrajectory motion = *make(randomPoints(7, 9).middleCols(k, 2), limits);
             const std::vector<MotionPeaks> peaks = trajectoryPeaks(motion);
-            const Stretch stretch = stretchFor(peaks, limits);
+            const TimeStretch stretch = stretchFor(peaks, limits);
             EXPECT_NEAR(stretch.factor, 1.0, 1e-8);
             EXPECT_EQ(stretch.keepsAll, make != trapezoidStops);
             if (make != trapezoidStops)

@@ -31,7 +31,7 @@ struct OneLink
         checker = makeArmChecker("analytic", *model);
     }
 
-    CertificateFinding check(const JointTrajectory &motion, const CertificateOptions &options = {}) const
+    CertificateFinding check(const JointTrajectory &motion, const TrajectoryCertificateOptions &options = {}) const
     {
         return TrajectoryCertificate(
                    *space, [this](ConfigurationRef q) { return checker->clearance(q); }, false, options)

@@ -124,7 +124,7 @@ TEST(TrajectorySmoother, KeepsLimitsAndIsShorterThanStops)
         const double stops = sevenPhaseStops(vertices, limitsFor(joints)).value->duration();
         EXPECT_NEAR(smoothed->stopDuration, stops, 1e-8 * stops);
         EXPECT_LT(smoothed->motion.duration(), 0.85 * stops) << joints;
-        const Stretch stretch = stretchFor(trajectoryPeaks(smoothed->motion), limitsFor(joints));
+        const TimeStretch stretch = stretchFor(trajectoryPeaks(smoothed->motion), limitsFor(joints));
         EXPECT_LE(stretch.factor, 1.0 + 2e-9);
         EXPECT_GE(stretch.factor, 1.0 - 1e-6);
         JointTrajectory::States state;

@@ -17,19 +17,21 @@ template <class Space>
 class ArmDecomposition : public og::XXLPositionDecomposition
 {
 public:
-    using Point = Eigen::Matrix<double, Space::tipDimension, 1>;
+    using Point = Eigen::Matrix<double, Space::tipDimension, 1>;  ///< place of the tip
 
     /// \throws std::invalid_argument if the state space is not a Space.
     explicit ArmDecomposition(const ob::SpaceInformationPtr &si);
 
-    int numLayers() const override { return 1; }
+    int numLayers() const override { return 1; }  ///< The tip's position is all there is.
 
     /// Writes a free state of the cell, next to `near` if there is one; false if none is found in a few tries.
     bool sampleFromRegion(int region, ob::State *state, const ob::State *near = nullptr) const override;
+    /// The same, whatever the layer.
     bool sampleFromRegion(int region, ob::State *state, const ob::State *near, int layer) const override;
 
+    /// Where the tip is: two or three coordinates, whatever the layer.
     void project(const ob::State *state, std::vector<double> &position, int layer = 0) const override;
-    void project(const ob::State *state, std::vector<int> &regions) const override;
+    void project(const ob::State *state, std::vector<int> &regions) const override;  ///< The one cell of the tip.
 
 private:
     Point randomPoint(int region) const;

@@ -20,16 +20,17 @@ template <int D>
 class ChainRobot
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< of the plane or of space
+    /// robot and obstacles
     using Model = std::conditional_t<D == 2, PlanarModel, SpatialModel>;
+    /// the states of the robot
     using Space = std::conditional_t<D == 2, PlanarArmStateSpace, SpatialArmStateSpace>;
 
     /// \pre whyNoChain() says nothing
     ChainRobot(const Model &model, const Space &space);
 
-    const ChainSpec &spec() const { return spec_; }
-    /// Unit vector of the slide.
-    const Point &axis() const { return axis_; }
+    const ChainSpec &spec() const { return spec_; }  ///< the chain alone
+    const Point &axis() const { return axis_; }      ///< unit vector of the slide
 
     /// Ends of the links, the base first.
     std::vector<Point> centres(const Eigen::VectorXd &configuration) const;
@@ -47,7 +48,9 @@ private:
     std::vector<ChainGeometry> geometry_;  ///< one in space, none in the plane
 };
 
+///@{
 /// Why a robot is no chain of equal links on a slide; empty if it is.
 std::string whyNoChain(const PlanarModel &model);
 std::string whyNoChain(const SpatialModel &model);
+///@}
 }  // namespace narrows

@@ -23,7 +23,7 @@ struct CurveRecipe
     Eigen::VectorXi turns;       ///< full turns added to the goal's joints, as the space counts them; empty: none
     bool fromGoal = false;       ///< the curve is traced from the goal
     JointSchedule schedule;      ///< from where it is traced to the other end
-    TraceWindow window;
+    TraceWindow window;          ///< where the curve may go
 
     /// As parameters of HPPM, which follow this curve again with search = paper.
     std::map<std::string, std::string> parameters() const;

@@ -15,16 +15,17 @@ struct BandWish
     double clearance = 0.0;  ///< length units that the arm should keep from everything; 0: only short
     double aversion = 10.0;  ///< how many times as long a way counts where the clearance is 0; what is lacking counts
                              ///< in proportion
-    double spacing = 0.2;  ///< longest motion between two of the band's states, in the chart; > 0
-    int sweeps = 60;       ///< over all states, at most
+    double spacing = 0.2;    ///< longest motion between two of the band's states, in the chart; > 0
+    int sweeps = 60;         ///< over all states, at most
 };
 
 /// What came of it.
 struct BandReport
 {
-    double before = 0.0, after = 0.0;  ///< length in the chart, with the aversion
-    int moves = 0;                     ///< states that went somewhere better, over all sweeps
-    int sweeps = 0;
+    double before = 0.0;  ///< length in the chart, with the aversion
+    double after = 0.0;   ///< the same of the result, <= before
+    int moves = 0;        ///< states that went somewhere better, over all sweeps
+    int sweeps = 0;       ///< over all states
 };
 
 /// Bends a free path towards one that is shorter and, where that is wished, further from obstacles: an elastic band (S.

@@ -13,14 +13,19 @@ namespace narrows
 class DampedFollower : public TipFollower
 {
 public:
+    /// `ikdls`. \param si of a SpatialArmStateSpace \param model its arm is that of this space
     DampedFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<const SpatialModel> model);
 
+    ///@{
+    /// Damping as a share of the arm's reach, in [1e-6, 1].
     /// \throws std::invalid_argument from every setter if the value is out of range
-    void setLambda(double lambda);  ///< damping as a share of the arm's reach, in [1e-6, 1]
+    void setLambda(double lambda);
     double getLambda() const { return lambda_; }
+    ///@}
 
 protected:
     std::unique_ptr<TipSearch> makeSearch(const TipSearchTask &task) const override;
+    /// For a method that goes on from this one, under a name of its own.
     DampedFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<const SpatialModel> model,
                    const std::string &name);
 
@@ -34,17 +39,30 @@ private:
 class ProjectionFollower : public DampedFollower
 {
 public:
+    /// `ikprojection`. \param si of a SpatialArmStateSpace \param model its arm is that of this space
     ProjectionFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<const SpatialModel> model);
 
-    void setNullSteps(int steps);  ///< iterations per waypoint that the null space is used in, at least; > 0
+    ///@{
+    /// Iterations per waypoint that the null space is used in, at least; > 0.
+    /// \throws std::invalid_argument from every setter if the value is out of range
+    void setNullSteps(int steps);
     int getNullSteps() const { return nullSteps_; }
-    void setBendGain(double gain);  ///< in [0, 1]
+    ///@}
+    ///@{
+    /// Share of its bend that a joint would lose in one step, in [0, 1].
+    void setBendGain(double gain);
     double getBendGain() const { return bendGain_; }
-    void setObstacleGain(double gain);  ///< in [0, 1]
+    ///@}
+    ///@{
+    /// Share of the missing clearance that a link would win in one step, in [0, 1].
+    void setObstacleGain(double gain);
     double getObstacleGain() const { return obstacleGain_; }
-    void setInfluence(
-        double distance);  ///< from where on obstacles repel, >= 0; a 20th of all links' lengths if not set
+    ///@}
+    ///@{
+    /// Distance from where on obstacles repel, >= 0; a 20th of all links' lengths if not set.
+    void setInfluence(double distance);
     double getInfluence() const { return influence_; }
+    ///@}
 
 protected:
     std::unique_ptr<TipSearch> makeSearch(const TipSearchTask &task) const override;
@@ -61,12 +79,20 @@ private:
 class NloptFollower : public TipFollower
 {
 public:
+    /// `iknlopt`. \param si of a SpatialArmStateSpace \param model its arm is that of this space
     NloptFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<const SpatialModel> model);
 
-    void setAlgorithm(const std::string &algorithm);  ///< slsqp (Kraft 1994) | cobyla (Powell 1994; no derivatives)
+    ///@{
+    /// slsqp (Kraft 1994) or cobyla (Powell 1994; no derivatives).
+    /// \throws std::invalid_argument from every setter if the value is out of range
+    void setAlgorithm(const std::string &algorithm);
     std::string getAlgorithm() const { return algorithm_; }
-    void setMargin(double margin);  ///< clearance to keep, >= 0; a 500th of all links' lengths if not set
+    ///@}
+    ///@{
+    /// Clearance to keep, a length >= 0; a 500th of all links' lengths if not set.
+    void setMargin(double margin);
     double getMargin() const { return margin_; }
+    ///@}
 
 protected:
     std::unique_ptr<TipSearch> makeSearch(const TipSearchTask &task) const override;

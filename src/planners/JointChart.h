@@ -15,16 +15,19 @@ namespace narrows
 class JointChart
 {
 public:
-    JointChart() = default;  ///< of a space without joints
-    explicit JointChart(const ArmStateSpace &space);
+    JointChart() = default;                           ///< of a space without joints
+    explicit JointChart(const ArmStateSpace &space);  ///< of all its joints
 
-    Eigen::Index dimension() const { return static_cast<Eigen::Index>(periods_.size()); }
+    Eigen::Index dimension() const { return static_cast<Eigen::Index>(periods_.size()); }  ///< number of joints
     /// Of every coordinate 2 pi where full turns lead to the same posture, else +infinity.
     const Eigen::VectorXd &periods() const { return periods_; }
+    ///@{
     /// Where coordinates are sampled: joint limits, else [-pi, pi].
     const Eigen::VectorXd &lower() const { return lower_; }
     const Eigen::VectorXd &upper() const { return upper_; }
+    ///@}
 
+    /// The coordinates of a state.
     void read(const ob::State *state, Eigen::VectorXd &x) const;
     /// The values of the state at x.
     void write(const Eigen::VectorXd &x, double *values) const;

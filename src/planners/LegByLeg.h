@@ -27,6 +27,7 @@ namespace narrows
 class LegByLeg : public ModelPlanner
 {
 public:
+    /// \param si of a SpatialArmStateSpace
     /// \param make makes the planner of one leg, every time a new one
     LegByLeg(const ob::SpaceInformationPtr &si, std::function<ob::PlannerPtr()> make);
 
@@ -35,7 +36,7 @@ public:
     /// names none. A later call goes on with the leg where this one stopped.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
+    void clear() override;  ///< Forgets all legs; parameters that were set go to the legs to come.
     /// The data of all legs' planners: a leg's goals are the next one's start.
     void getPlannerData(ob::PlannerData &data) const override;
 

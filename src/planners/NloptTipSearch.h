@@ -8,6 +8,7 @@
 
 namespace narrows
 {
+/// How the optimization is done, and what of.
 struct NloptOptions
 {
     bool withoutDerivatives = false;  ///< COBYLA instead of SLSQP
@@ -22,9 +23,13 @@ struct NloptProgram;
 class NloptTipSearch : public TipSearch
 {
 public:
+    /// \param poles of the arm among its obstacles
+    /// \param task its maxIterations are evaluations; COBYLA gets (joints + 1) times as many
+    /// \param options method and margin
     NloptTipSearch(std::shared_ptr<const SpatialPoles> poles, TipSearchTask task, const NloptOptions &options);
     ~NloptTipSearch() override;
 
+    /// Deterministic. Reached says nothing of obstacles: the posture that NLopt ends in may touch them.
     TipSearchResult reach(const Eigen::Vector3d &target, Eigen::VectorXd &q) override;
 
 private:

@@ -11,13 +11,16 @@ namespace narrows
 class PoseTranslator
 {
 public:
+    /// The chain is referred to.
     explicit PoseTranslator(const ChainGeometry &chain) : chain_(chain), axes_(slideAxes(chain)) {}
 
+    /// A point of the world in the slide frame (ScalingProblem).
     Eigen::Vector3d toSlideFrame(const Eigen::Vector3d &point) const
     {
         return axes_.transpose() * (point - chain_.origin);
     }
 
+    /// Joint centres O_1 .. O_{n+1} in the slide frame. \pre `arm` is the chain's
     void toCentres(const SpatialArm &arm, const Eigen::VectorXd &values, std::vector<Eigen::Vector3d> &centres) const
     {
         jointCentres(arm, values, centres);
@@ -25,6 +28,8 @@ public:
             centre = toSlideFrame(centre);
     }
 
+    /// Joint values that put the n + 1 centres, in the slide frame, where they shall be.
+    /// \return false if there are none (valuesFromCentres()); `values` is as it was then
     bool toValues(const Eigen::Vector3d *centres, Eigen::VectorXd &values)
     {
         world_.resize(chain_.lengths.size() + 1);

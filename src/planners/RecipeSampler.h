@@ -15,8 +15,8 @@ namespace narrows
 /// Two ends between which curves are drawn, as configurations, and which joints may make full turns on the way.
 struct CurveEnds
 {
-    Eigen::VectorXd start;
-    Eigen::VectorXd goal;
+    Eigen::VectorXd start;      ///< a configuration
+    Eigen::VectorXd goal;       ///< a configuration
     Eigen::VectorXi turns;      ///< full turns that bring the goal nearest to the start, as the space counts joints
     std::vector<int> turnable;  ///< joints that may be turned in full, as the space counts them
 };
@@ -33,6 +33,7 @@ struct CurveEnds
 class RecipeSampler
 {
 public:
+    /// \param model robot and obstacles \param ends configurations of this robot
     /// \param rows rows of W, each with poles and a direction of its own; >= 1
     /// \param unit the length in joint space that counts as a radian, > 0: for robots without turning joints
     RecipeSampler(std::shared_ptr<const RepulsionModel> model, const CurveEnds &ends, int rows, double unit = 1.0);

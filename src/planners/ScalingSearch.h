@@ -14,20 +14,20 @@ namespace narrows
 /// How the scaling method is used. Lengths that are 0 stand for the defaults that go with the robot.
 struct ScalingSettings
 {
-    ScalingMode mode = ScalingMode::Taut;
-    double margin = 0.0;
-    std::vector<double> margins{1.0, 1.4, 0.75, 1.8};  ///< factors of the margin
-    int sideSearch = 64;
-    double step = 0.0;
-    double maxJump = 0.0;
-    int easing = 40;
-    double retraction = 0.0;
+    ScalingMode mode = ScalingMode::Taut;              ///< how joint centres are found that belong to a tip
+    double margin = 0.0;                               ///< of danger regions, >= the links' radius; 0: 1.63 radii
+    std::vector<double> margins{1.0, 1.4, 0.75, 1.8};  ///< factors > 0 of the margin, tried in this order
+    int sideSearch = 64;      ///< >= 1, ways of passing obstacles on either side that are tried per margin, at most
+    double step = 0.0;        ///< largest distance of neighbouring tips, >= 0; 0: a 625th of the reach
+    double maxJump = 0.0;     ///< largest way of a joint in the section plane per step, >= 0; 0: six steps
+    int easing = 40;          ///< >= 0, rounds in which poses that break a rule are eased (Taut)
+    double retraction = 0.0;  ///< >= 0, how far the tip draws back along the slide on bypasses
 };
 
 /// Poses for a tip's way through all its waypoints, or for the first part of it.
 struct ScaledWay
 {
-    ScalingResult scaled;
+    ScalingResult scaled;                ///< its poses
     std::vector<Eigen::Vector3d> tips;   ///< of the whole way; the first is the start's
     std::vector<std::size_t> waypoints;  ///< for every waypoint after the start, which tip it is
     double margin = 0.0;                 ///< where nothing forces a smaller one
@@ -42,6 +42,7 @@ struct ScaledWay
 class ScalingSearch
 {
 public:
+    /// \param problem chain and obstacles \param settings lengths that are 0 get their defaults here
     /// \param start joint centres of the pose to begin near to, in the slide frame; the taut string keeps its way
     /// around obstacles
     /// \param waypoints of the tip after that

@@ -33,27 +33,36 @@ public:
     /// motion there is not free); after a TIMEOUT it is empty, and a later call goes on.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
-    void clear() override;
-    void getPlannerData(ob::PlannerData &data) const override;
+    void clear() override;                                      ///< Forgets the way so far, not the parameters.
+    void getPlannerData(ob::PlannerData &data) const override;  ///< The way so far, from the start on.
 
-    /// \throws std::invalid_argument from every setter if the value is out of range
-    void setStep(
-        double step);  ///< largest distance of two waypoints of the tip; a 625th of all links' lengths if not set
+    ///@{
+    /// Largest distance of two waypoints of the tip, at least a millionth of all links' lengths, of which it is a 625th
+    /// if not set. \throws std::invalid_argument from every setter if the value is out of range
+    void setStep(double step);
     double getStep() const { return step_; }
-    void setPrecision(double share);  ///< how near the tip has to come, as a share in (0, 1] of the goal's tolerance
+    ///@}
+    ///@{
+    /// How near the tip has to come, as a share in (0, 1] of the goal's tolerance.
+    void setPrecision(double share);
     double getPrecision() const { return precision_; }
-    void setMaxIterations(int iterations);  ///< for one waypoint, in [1, 1000]
+    ///@}
+    ///@{
+    /// For one waypoint, in [1, 1000].
+    void setMaxIterations(int iterations);
     int getMaxIterations() const { return maxIterations_; }
+    ///@}
 
 protected:
-    /// \param model its arm is that of the state space of `si`
+    /// \param si of a SpatialArmStateSpace \param model its arm is that of this space
+    /// \param name of the planner
     TipFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<const SpatialModel> model, const std::string &name);
 
     /// The method: called once for a problem, when its goal is known.
     virtual std::unique_ptr<TipSearch> makeSearch(const TipSearchTask &task) const = 0;
 
-    const SpatialModel &model() const { return *model_; }
-    double length() const { return length_; }  ///< of all links together
+    const SpatialModel &model() const { return *model_; }  ///< robot and obstacles
+    double length() const { return length_; }              ///< of all links together
 
 private:
     /// A place for the tip, and how many points of the tip path have been reached there.

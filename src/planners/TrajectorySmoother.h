@@ -10,6 +10,7 @@ namespace narrows
 /// Whether a motion is free at all times and within the limits of its joints' positions. Must not depend on its pace.
 using TrajectoryProof = std::function<bool(const JointTrajectory &)>;
 
+/// How long the smoother searches.
 struct SmoothingOptions
 {
     int evaluations = 400;  ///< >= 0, of the search; 0: only what bisection finds
@@ -17,6 +18,7 @@ struct SmoothingOptions
     std::function<bool()> interrupted = {};  ///< if set, asked between evaluations; the best so far is returned
 };
 
+/// What the smoother has made of a polyline.
 struct SmoothedTrajectory
 {
     PolynomialTrajectory motion;  ///< keeps the limits exactly as far as it is short: one of them is reached

@@ -16,9 +16,10 @@ enum class TrajectoryObjective
     Duration,   ///< under limits; t_v / t_s stays
 };
 
+/// What a motion over a via-point should be like.
 struct TrajectoryWish
 {
-    TrajectoryObjective objective = TrajectoryObjective::Jerk;
+    TrajectoryObjective objective = TrajectoryObjective::Jerk;      ///< what shall be least
     double maxOvershoot = std::numeric_limits<double>::infinity();  ///< >= 0, in the unit of the
                                                                     ///< task's positions
     std::optional<MotionLimits> limits;                             ///< to be kept; Duration needs them
@@ -27,12 +28,14 @@ struct TrajectoryWish
     int evaluations = 200;  ///< > 0, of the global search; the local one may use half as many
 };
 
+/// What the search has found.
 struct OptimizedTrajectory
 {
-    ViaPointTrajectory motion;
-    MotionPeaks peaks;  ///< of it, to 1e-9
-    double viaShape, goalShape;
-    int evaluations;
+    ViaPointTrajectory motion;  ///< keeps all that was wished
+    MotionPeaks peaks;          ///< of it, to 1e-9
+    double viaShape;            ///< > 0, shape of the via's rise
+    double goalShape;           ///< > 0, shape of the goal's rise
+    int evaluations;            ///< trajectories that were looked at
 };
 
 /// The best ViaPointTrajectory::full() (of two Rise::resting, if not mixed)

@@ -9,9 +9,12 @@ namespace narrows
 class ArmSampler : public ob::RealVectorStateSampler
 {
 public:
-    explicit ArmSampler(const ArmStateSpace *space);
+    explicit ArmSampler(const ArmStateSpace *space);  ///< of a space that outlives it
 
+    /// Uniform over a box within the ball of radius `distance`, brought into the bounds: OMPL's planners count on
+    /// neighbours not being further away.
     void sampleUniformNear(ob::State *state, const ob::State *near, double distance) override;
+    /// Normal in every joint, independently, brought into the bounds.
     void sampleGaussian(ob::State *state, const ob::State *mean, double deviation) override;
 
 private:

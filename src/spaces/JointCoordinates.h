@@ -10,11 +10,12 @@ namespace narrows
 class JointCoordinates
 {
 public:
-    explicit JointCoordinates(const ArmStateSpace &space);
+    explicit JointCoordinates(const ArmStateSpace &space);  ///< of a space that outlives this
 
-    Eigen::Index joints() const { return toConfiguration_.rows(); }
+    Eigen::Index joints() const { return toConfiguration_.rows(); }  ///< how many there are
     /// The configuration at values q is toConfiguration() * q.
     const Eigen::MatrixXd &toConfiguration() const { return toConfiguration_; }
+    /// The values q at which the configuration is this one.
     Eigen::VectorXd fromConfiguration(ConfigurationRef configuration) const { return inverse_ * configuration; }
 
     /// A path's waypoints without wrapping, one column each: joint values for a trajectory.

@@ -36,6 +36,7 @@ private:
     ob::StateSamplerPtr sampler_;
 };
 
-using TipGoalRegion = ArmTipGoalRegion<PlanarArmStateSpace, TipGoal>;
+using TipGoalRegion = ArmTipGoalRegion<PlanarArmStateSpace, TipGoal>;  ///< in the plane
+/// in space
 using SpatialTipGoalRegion = ArmTipGoalRegion<SpatialArmStateSpace, SpatialTipGoal>;
 }  // namespace narrows

@@ -13,13 +13,15 @@ template <typename Space>
 class TipProjection : public ob::ProjectionEvaluator
 {
 public:
-    /// \param cells along the arm's reach
+    /// \param space outlives this \param cells along the arm's reach
     TipProjection(const Space *space, int cells) : ob::ProjectionEvaluator(space), space_(space), cells_(cells) {}
 
-    unsigned int getDimension() const override { return Space::tipDimension; }
+    unsigned int getDimension() const override { return Space::tipDimension; }  ///< two or three
 
+    /// Squares or cubes: the reach over the number of cells along it.
     void defaultCellSizes() override { cellSizes_.assign(Space::tipDimension, space_->arm().reach() / cells_); }
 
+    /// The tip's place: two or three coordinates.
     void project(const ob::State *state, Eigen::Ref<Eigen::VectorXd> projection) const override
     {
         projection = space_->tip(state, space_->lastLink());

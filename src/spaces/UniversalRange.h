@@ -10,15 +10,18 @@ namespace narrows
 class UniversalRange
 {
 public:
+    /// \param limit which joints, and how far they may bend together
     /// \param first, second limits of the two joints; none: the cone alone limits them
     /// \throws std::invalid_argument if no pair of angles is allowed
     UniversalRange(const UniversalLimit &limit, const std::optional<Interval> &first,
                    const std::optional<Interval> &second);
 
-    const UniversalLimit &limit() const { return limit_; }
-    /// Intervals that hold all allowed values of the one and the other joint.
+    const UniversalLimit &limit() const { return limit_; }  ///< which joints, and how far they may bend together
+    ///@{
+    /// Interval that holds all allowed values of the one and the other joint.
     const Interval &first() const { return first_; }
     const Interval &second() const { return second_; }
+    ///@}
 
     /// To 1e-12 rad: a state between two states at the limit is allowed whatever the rounding.
     bool contains(const double *joints) const;

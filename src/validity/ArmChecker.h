@@ -45,8 +45,10 @@ public:
     virtual void areFree(ConfigurationRows configurations, std::vector<char> &free) const;
 };
 
+///@{
 /// Makes a checker by its name, "analytic" (closed-form geometry) or "fcl" (Flexible Collision Library).
 /// \throws std::invalid_argument for any other name, or for a shape that the checker cannot do.
 std::unique_ptr<ArmChecker> makeArmChecker(const std::string &name, const PlanarModel &model);
 std::unique_ptr<ArmChecker> makeArmChecker(const std::string &name, const SpatialModel &model);
+///@}
 }  // namespace narrows

@@ -11,6 +11,7 @@ namespace narrows
 class ArmTravel
 {
 public:
+    /// \param space is read here only
     /// \param selfCollision whether links must keep away from each other: both may move then
     /// \throws std::invalid_argument for spaces of other robots than planar and spatial arms
     ArmTravel(const ArmStateSpace &space, bool selfCollision);

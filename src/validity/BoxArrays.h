@@ -11,8 +11,9 @@ namespace narrows
 {
 /// A set of obstacles: bit k stands for the obstacles k, k + 32, k + 64, ...
 using ObstacleBits = std::uint32_t;
-constexpr ObstacleBits allObstacles = ~ObstacleBits(0);
+constexpr ObstacleBits allObstacles = ~ObstacleBits(0);  ///< the set of all, however many there are
 
+/// Whether obstacle k is in the set, or another one with its bit.
 inline bool isAmong(ObstacleBits obstacles, std::size_t k)
 {
     return (obstacles >> (k % 32) & 1) != 0;
@@ -24,15 +25,16 @@ template <int Dim>
 class BoxArrays
 {
 public:
-    using Vector = Eigen::Matrix<double, Dim, 1>;
+    using Vector = Eigen::Matrix<double, Dim, 1>;  ///< a point
 
+    /// Makes room for so many boxes; set() must follow for each.
     void resize(int count)
     {
         count_ = count;
         // Whole fours.
         ends_.resize(static_cast<std::size_t>(2 * Dim * ((count + 3) / 4 * 4)));
     }
-    int count() const { return count_; }
+    int count() const { return count_; }  ///< how many boxes there are
 
     /// Box i becomes the one around the segment ab and all within `room` of it.
     void set(int i, const Vector &a, const Vector &b, double room)

@@ -5,16 +5,6 @@
 
 namespace narrows
 {
-ContinuousMotionValidator::ContinuousMotionValidator(const ob::SpaceInformationPtr &si,
-                                                     std::shared_ptr<const ArmChecker> checker,
-                                                     std::shared_ptr<CheckCounts> counts)
-  : ob::MotionValidator(si),
-    space_(si->getStateSpace()->as<ArmStateSpace>()),
-    checker_(std::move(checker)),
-    counts_(std::move(counts))
-{
-}
-
 bool ContinuousMotionValidator::checkMotion(const ob::State *from, const ob::State *to) const
 {
     if (!space_->satisfiesBounds(to))
@@ -33,18 +23,8 @@ bool ContinuousMotionValidator::checkMotion(const ob::State *from, const ob::Sta
         return true;
     const auto &[q, delta] = straightMotion(*space_, from, to);
     std::uint64_t placements = 0;
-    lastValid.second = checker_->freeUntil(q, delta, placements);
+    stopAt(from, to, checker_->freeUntil(q, delta, placements), lastValid);
     counts_->placements.fetch_add(placements, std::memory_order_relaxed);
-    if (lastValid.first != nullptr)
-        si_->getStateSpace()->interpolate(from, to, lastValid.second, lastValid.first);
     return false;
-}
-
-bool ContinuousMotionValidator::record(bool free) const
-{
-    // OMPL's own tallies are plain numbers; with several threads they are approximate, ours are not.
-    ++(free ? valid_ : invalid_);
-    counts_->motionChecks.fetch_add(1, std::memory_order_relaxed);
-    return free;
 }
 }  // namespace narrows

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-
-#include <ompl/base/MotionValidator.h>
-
-#include "spaces/ArmStateSpace.h"
-#include "validity/ArmChecker.h"
-#include "validity/CheckCounts.h"
+#include "validity/ArmMotionValidator.h"
 
 namespace narrows
 {
 /// Decides motions exactly, without a step size, as `ArmChecker` does. Safe to share between threads.
-class ContinuousMotionValidator : public ob::MotionValidator
+class ContinuousMotionValidator : public ArmMotionValidator
 {
 public:
-    /// \pre the state space of `si` is an ArmStateSpace; nothing is null. \param si, checker, counts `counts` grows
-    /// with every question
-    ContinuousMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
-                              std::shared_ptr<CheckCounts> counts);
+    using ArmMotionValidator::ArmMotionValidator;
 
     /// \pre `from` is valid, as OMPL has it.
     bool checkMotion(const ob::State *from, const ob::State *to) const override;
@@ -27,12 +18,5 @@ public:
     /// found to 1/256 of the motion.
     bool checkMotion(const ob::State *from, const ob::State *to,
                      std::pair<ob::State *, double> &lastValid) const override;
-
-private:
-    bool record(bool free) const;
-
-    const ArmStateSpace *space_;
-    std::shared_ptr<const ArmChecker> checker_;
-    std::shared_ptr<CheckCounts> counts_;
 };
 }  // namespace narrows

@@ -32,23 +32,29 @@ public:
         near.assign(boxes.count(), allObstacles);
     }
 
-    /// Whether no obstacle touches the link. \param near obstacles that are not among them are known to be far away
+    /// Whether no obstacle touches the link.
+    /// \param link at rest \param near obstacles that are not among them are known to be far away
     virtual bool clears(const Link<Dim> &link, ObstacleBits near) const = 0;
+    /// The same, of all obstacles.
     bool clears(const Link<Dim> &link) const { return clears(link, allObstacles); }
 
     /// Distance from the link to the nearest obstacle: negative or zero iff they touch (then its size means nothing),
     /// +infinity without obstacles.
     virtual double clearance(const Link<Dim> &link) const = 0;
 
-    /// The worst of what can be told of the link and any obstacle. \param near as above, of the box around all that the
+    /// The worst of what can be told of the link and any obstacle.
+    /// \param link on a stretch of motion \param near as above, of the box around all that the
     /// link can reach
     virtual Finding examine(const LinkMotion<Dim> &link, ObstacleBits near) const = 0;
+    /// The same, of all obstacles.
     Finding examine(const LinkMotion<Dim> &link) const { return examine(link, allObstacles); }
 
-    /// The same of two links of one arm.
+    ///@{
+    /// The same of two links of one arm, each other's only obstacle.
     virtual bool clears(const Link<Dim> &link, const Link<Dim> &other) const = 0;
     virtual double clearance(const Link<Dim> &link, const Link<Dim> &other) const = 0;
     virtual Finding examine(const LinkMotion<Dim> &link, const LinkMotion<Dim> &other) const = 0;
+    ///@}
 };
 
 /// Makes a checker for a model, planar or spatial, by its name: "analytic" or "fcl" (see PlanarChecker.h and

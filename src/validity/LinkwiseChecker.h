@@ -17,6 +17,8 @@ template <class Arm>
 class LinkwiseChecker : public ArmChecker
 {
 public:
+    /// \param arm is copied \param links among the obstacles \param selfCollision whether links that are not neighbours
+    /// must not touch
     LinkwiseChecker(const Arm &arm, std::unique_ptr<const LinkChecker<Arm::Dim>> links, bool selfCollision)
       : arm_(arm), links_(std::move(links)), resolution_(1e-9 * arm.reach())
     {
@@ -66,7 +68,7 @@ public:
     }
 
 protected:
-    const std::vector<LinkPair> &pairs() const { return pairs_; }
+    const std::vector<LinkPair> &pairs() const { return pairs_; }  ///< links that must not touch each other
 
 private:
     /// isFree() one by one, for few links.

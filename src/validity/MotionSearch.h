@@ -12,7 +12,7 @@
 
 namespace narrows
 {
-using LinkPair = std::pair<int, int>;
+using LinkPair = std::pair<int, int>;  ///< indices of two links of one arm
 
 /// So many links are looked at faster all at once, by their boxes; fewer, one by one.
 constexpr int worthBoxing = 6;
@@ -22,8 +22,12 @@ template <class Arm>
 class MotionSearch
 {
 public:
+    /// Chooses the motion q + t * delta, t in [0, 1]. What is given by reference must last until the next begin().
+    /// \param arm that moves \param checker of its links among the obstacles
     /// \param pairs links that must not touch each other
     /// \param resolution what is closer counts as touching
+    /// \param q, delta a configuration and a difference of two
+    /// \param placements grows by the number of configurations that are looked at
     void begin(const Arm &arm, const LinkChecker<Arm::Dim> &checker, const std::vector<LinkPair> &pairs,
                double resolution, ConfigurationRef q, ConfigurationRef delta, std::uint64_t &placements)
     {

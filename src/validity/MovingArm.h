@@ -17,6 +17,7 @@ namespace narrows
 template <class Arm>
 class MovingArm;
 
+/// In the plane: all links have one radius, and each turns at its own constant rate.
 template <>
 class MovingArm<PlanarArm>
 {
@@ -46,6 +47,7 @@ public:
         arm_->velocities(points_, delta_, velocities_);
     }
 
+    /// Where a link is.
     Link<2> link(int i) const { return {points_[base(i)], points_[i + 1], arm_->radius()}; }
 
     /// The boxes around the links.
@@ -80,16 +82,19 @@ private:
     std::vector<Eigen::Vector2d> points_, velocities_;
 };
 
+/// In space: members mean what they mean in the plane.
 template <>
 class MovingArm<SpatialArm>
 {
 public:
+    /// Puts the arm where it is at q; link() is valid afterwards.
     void rest(const SpatialArm &arm, ConfigurationRef q)
     {
         arm_ = &arm;
         arm.place(q, placement_);
     }
 
+    /// Chooses the motion q + t * delta; place() must follow.
     void begin(const SpatialArm &arm, ConfigurationRef q, ConfigurationRef delta)
     {
         arm_ = &arm;
@@ -98,6 +103,7 @@ public:
         arm.motionBounds(delta_, ways_, bends_, turns_);
     }
 
+    /// Goes to a point of the motion; motion() is valid afterwards.
     void place(double t)
     {
         q_ = from_ + t * delta_;
@@ -105,11 +111,13 @@ public:
         arm_->velocities(placement_, delta_, velocities_, spins_);
     }
 
+    /// Where a link is.
     Link<3> link(int i) const
     {
         return {placement_.points[2 * i], placement_.points[2 * i + 1], arm_->links()[i].radius};
     }
 
+    /// The boxes around the links.
     void box(BoxArrays<3> &boxes) const
     {
         boxes.resize(arm_->linkCount());
@@ -117,6 +125,7 @@ public:
             boxes.set(i, placement_.points[2 * i], placement_.points[2 * i + 1], arm_->links()[i].radius);
     }
 
+    /// A link on a stretch around where the arm is, made `extra` thicker.
     LinkMotion<3> motion(int i, double half, double extra) const
     {
         return {{placement_.points[2 * i], velocities_[2 * i], ways_[i], bends_[i]},

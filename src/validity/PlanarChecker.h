@@ -8,7 +8,7 @@
 
 namespace narrows
 {
-using PlanarChecker = LinkChecker<2>;
+using PlanarChecker = LinkChecker<2>;  ///< in the plane
 
 /// Closed-form geometry; the default.
 std::unique_ptr<PlanarChecker> makeAnalyticChecker(const PlanarModel &model);

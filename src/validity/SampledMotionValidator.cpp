@@ -47,16 +47,6 @@ private:
     Eigen::Index parts_;
 };
 
-SampledMotionValidator::SampledMotionValidator(const ob::SpaceInformationPtr &si,
-                                               std::shared_ptr<const ArmChecker> checker,
-                                               std::shared_ptr<CheckCounts> counts)
-  : ob::MotionValidator(si),
-    space_(si->getStateSpace()->as<ArmStateSpace>()),
-    checker_(std::move(checker)),
-    counts_(std::move(counts))
-{
-}
-
 /// Every batch is spread over the whole motion, so that the first is likely to meet what is in the way.
 bool SampledMotionValidator::checkMotion(const ob::State *from, const ob::State *to) const
 {
@@ -78,16 +68,7 @@ bool SampledMotionValidator::checkMotion(const ob::State *from, const ob::State 
         touching = samples.firstTouching(first, 1);
     if (touching == samples.parts() && si_->isValid(to))
         return record(true);
-    lastValid.second = static_cast<double>(touching - 1) / static_cast<double>(samples.parts());
-    if (lastValid.first != nullptr)
-        space_->interpolate(from, to, lastValid.second, lastValid.first);
+    stopAt(from, to, static_cast<double>(touching - 1) / static_cast<double>(samples.parts()), lastValid);
     return record(false);
-}
-
-bool SampledMotionValidator::record(bool free) const
-{
-    ++(free ? valid_ : invalid_);
-    counts_->motionChecks.fetch_add(1, std::memory_order_relaxed);
-    return free;
 }
 }  // namespace narrows

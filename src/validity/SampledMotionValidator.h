@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-
-#include <ompl/base/MotionValidator.h>
-
-#include "spaces/ArmStateSpace.h"
-#include "validity/ArmChecker.h"
-#include "validity/CheckCounts.h"
+#include "validity/ArmMotionValidator.h"
 
 namespace narrows
 {
@@ -15,13 +9,10 @@ namespace narrows
 /// validSegmentCount() equal parts. Asks about many of them at once, which is several times faster (see
 /// `ArmChecker::areFree`). Limits of joints are asked at the end only, as they are convex. Safe to share between
 /// threads.
-class SampledMotionValidator : public ob::MotionValidator
+class SampledMotionValidator : public ArmMotionValidator
 {
 public:
-    /// \pre the state space of `si` is an ArmStateSpace; nothing is null. \param si, checker, counts `counts` grows
-    /// with every question
-    SampledMotionValidator(const ob::SpaceInformationPtr &si, std::shared_ptr<const ArmChecker> checker,
-                           std::shared_ptr<CheckCounts> counts);
+    using ArmMotionValidator::ArmMotionValidator;
 
     /// \pre `from` is valid, as OMPL has it.
     bool checkMotion(const ob::State *from, const ob::State *to) const override;
@@ -32,11 +23,5 @@ public:
 
 private:
     class Samples;
-
-    bool record(bool free) const;
-
-    const ArmStateSpace *space_;
-    std::shared_ptr<const ArmChecker> checker_;
-    std::shared_ptr<CheckCounts> counts_;
 };
 }  // namespace narrows

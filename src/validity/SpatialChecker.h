@@ -8,7 +8,7 @@
 
 namespace narrows
 {
-using SpatialChecker = LinkChecker<3>;
+using SpatialChecker = LinkChecker<3>;  ///< in space
 
 /// Closed-form geometry and, for meshes, a tree of boxes; the default.
 std::unique_ptr<SpatialChecker> makeAnalyticChecker(const SpatialModel &model);

@@ -151,7 +151,7 @@ private:
 };
 
 TrajectoryCertificate::TrajectoryCertificate(const ArmStateSpace &space, Clearance clearance, bool selfCollision,
-                                             const CertificateOptions &options)
+                                             const TrajectoryCertificateOptions &options)
   : space_(space),
     clearance_(std::move(clearance)),
     options_(options),

@@ -11,6 +11,7 @@
 
 namespace narrows
 {
+/// What is known of a timed motion.
 enum class CertificateStatus
 {
     Free,       ///< proven at all times
@@ -22,17 +23,19 @@ enum class CertificateStatus
 /// "free", "collision", ...
 std::string toText(CertificateStatus status);
 
-struct CertificateOptions
+/// What is asked of a timed motion, and how long is looked.
+struct TrajectoryCertificateOptions
 {
-    double margin = 0.0;  ///< >= 0, a length: the clearance that shall be exceeded at all times
-    std::uint64_t maxPlacements = 100'000;
+    double margin = 0.0;                    ///< >= 0, a length: the clearance that shall be exceeded at all times
+    std::uint64_t maxPlacements = 100'000;  ///< > 0, how many configurations are looked at, at most
 };
 
+/// Status of a timed motion, and where it comes from.
 struct CertificateFinding
 {
-    CertificateStatus status = CertificateStatus::Free;
-    double time = 0.0;             ///< where it fails, or what is undecided; 0 if free
-    std::uint64_t placements = 0;  ///< how many configurations were looked at
+    CertificateStatus status = CertificateStatus::Free;  ///< of the whole motion
+    double time = 0.0;                                   ///< where it fails, or what is undecided; 0 if free
+    std::uint64_t placements = 0;                        ///< how many configurations were looked at
 };
 
 /// Decides whether a timed motion is free of collisions and within the limits of its joints at ALL times, without a
@@ -46,10 +49,12 @@ public:
     using Clearance = std::function<double(ConfigurationRef)>;
 
     /// \param space outlives the certificate; joints of trajectories are counted as its values are, without wrapping
+    /// \param clearance of the space's arm; Lipschitz as ArmTravel says
     /// \param selfCollision whether the clearance counts links against each other too
+    /// \param options margin and effort
     /// \throws std::invalid_argument if an option is out of range or ArmTravel refuses the space
     TrajectoryCertificate(const ArmStateSpace &space, Clearance clearance, bool selfCollision,
-                          const CertificateOptions &options = {});
+                          const TrajectoryCertificateOptions &options = {});
 
     /// \throws std::invalid_argument if the trajectory has another number of joints than the space
     CertificateFinding check(const JointTrajectory &trajectory) const;
@@ -59,7 +64,7 @@ private:
 
     const ArmStateSpace &space_;
     Clearance clearance_;
-    CertificateOptions options_;
+    TrajectoryCertificateOptions options_;
     JointCoordinates coordinates_;
     ArmTravel travel_;
     double resolution_;  ///< clearances up to it cannot be told from touching

@@ -12,11 +12,11 @@ namespace narrows
 class TrajectorySpans
 {
 public:
-    explicit TrajectorySpans(const JointTrajectory &trajectory);
+    explicit TrajectorySpans(const JointTrajectory &trajectory);  ///< which outlives this
 
     /// Ascending, at least two.
     const std::vector<double> &knots() const { return knots_; }
-    std::size_t pieces() const { return knots_.size() - 1; }
+    std::size_t pieces() const { return knots_.size() - 1; }  ///< piece i goes from knot i to knot i + 1
 
     /// Largest magnitudes of every joint's velocity and acceleration over a span within a piece.
     void bounds(std::size_t piece, const Enclosure &span, Eigen::VectorXd &speeds,

@@ -42,9 +42,12 @@ struct VerifierOptions
 /// Judges a path continuously, without sampling between waypoints, by geometry code of its own: supporting lines of
 /// convex pieces, nothing shared with the checkers it judges.
 ///
+/// \param model, task what is to be solved
 /// \param path waypoints in absolute angles (slide first), unwrapped: the motion between neighbours is the straight
 /// line between the rows as they stand, so a row may differ from the previous one by more than pi only if the joint
 /// turns so far. Start and goal configurations are compared modulo 2 pi for joints without limits.
+/// \param options tolerances
+/// \throws std::invalid_argument if the task is not one for this robot or a tolerance is not positive
 Verdict verify(const PlanarModel &model, const PlanarTask &task, const std::vector<Eigen::VectorXd> &path,
                const VerifierOptions &options = {});
 

@@ -73,11 +73,11 @@ Series<3> largestPeaks(const std::vector<MotionPeaks> &peaks)
     return largest;
 }
 
-Stretch stretchFor(const std::vector<MotionPeaks> &peaks, const std::vector<MotionLimits> &limits)
+TimeStretch stretchFor(const std::vector<MotionPeaks> &peaks, const std::vector<MotionLimits> &limits)
 {
     if (peaks.size() != limits.size())
         throw std::invalid_argument("every joint needs its limits");
-    Stretch stretch{0.0, true};
+    TimeStretch stretch{0.0, true};
     for (std::size_t i = 0; i < peaks.size(); ++i)
     {
         if (!limits[i].valid())

@@ -19,7 +19,7 @@ std::vector<MotionPeaks> trajectoryPeaks(const JointTrajectory &trajectory, doub
 Series<3> largestPeaks(const std::vector<MotionPeaks> &peaks);
 
 /// What uniform stretching in time can do for limits.
-struct Stretch
+struct TimeStretch
 {
     double factor;  ///< the least that keeps every limit that can be kept; 0 if nothing moves
     bool keepsAll;  ///< whether those are all: an infinite peak stays infinite
@@ -27,5 +27,5 @@ struct Stretch
 
 /// \param limits one for each joint
 /// \throws std::invalid_argument if their number differs from the joints' or one is not valid()
-Stretch stretchFor(const std::vector<MotionPeaks> &peaks, const std::vector<MotionLimits> &limits);
+TimeStretch stretchFor(const std::vector<MotionPeaks> &peaks, const std::vector<MotionLimits> &limits);
 }  // namespace narrows

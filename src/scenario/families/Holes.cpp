@@ -4,6 +4,7 @@
 // Then the chain bends away to the start. See Threading.cpp for the same in the plane.
 #include <cmath>
 
+#include "scenario/families/BentStart.h"
 #include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/RandomNumbers.h"
@@ -134,13 +135,7 @@ private:
 
     bool drawStart()
     {
-        const VectorXd withdrawn = drawnBack(wayBack_);
-        scene_.start = withdrawn;
-        for (double &value : scene_.start)
-            value = rounded(value + random_.uniform(-0.5, 0.5), 6);
-        if (clearance(scene_, scene_.start) <= leastClearance ||
-            judgeMotion(scene_, scene_.start, scene_.goal) != Motion::Blocked ||
-            judgeMotion(scene_, scene_.start, withdrawn) != Motion::Free)
+        if (!drawBentStart(scene_, drawnBack(wayBack_), 0.5, leastClearance, random_))
             return false;
         writeWitness();
         return judgePath(scene_, scene_.witness) == Motion::Free;

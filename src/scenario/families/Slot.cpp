@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 
+#include "scenario/families/BentStart.h"
 #include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/RandomNumbers.h"
@@ -171,12 +172,7 @@ private:
 
     bool drawStart()
     {
-        scene_.start = back_.back();
-        for (double &value : scene_.start)
-            value = rounded(value + random_.uniform(-1.0, 1.0), 6);
-        if (clearance(scene_, scene_.start) <= leastClearance ||
-            judgeMotion(scene_, scene_.start, scene_.goal) != Motion::Blocked ||
-            judgeMotion(scene_, scene_.start, back_.back()) != Motion::Free)
+        if (!drawBentStart(scene_, back_.back(), 1.0, leastClearance, random_))
             return false;
         scene_.witness = {scene_.start};
         scene_.witness.insert(scene_.witness.end(), back_.rbegin(), back_.rend());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scenario/families/BentStart.h"
 #include "scenario/families/Draws.h"
 #include "scenario/families/Families.h"
 #include "scenario/families/GapArm.h"
@@ -135,16 +136,9 @@ private:
         return clearance(scene_, arm.drawnBack(wayBack_)) > leastClearance;
     }
 
-    /// A bent posture that the withdrawn arm can be bent to and the goal cannot.
     bool drawStart(const GapArm &arm)
     {
-        const Eigen::VectorXd withdrawn = arm.drawnBack(wayBack_);
-        scene_.start.resize(links_);
-        for (Eigen::Index i = 0; i < links_; ++i)
-            scene_.start[i] = rounded(withdrawn[i] + random_.uniform(-1.0, 1.0), 6);
-        if (clearance(scene_, scene_.start) <= leastClearance ||
-            judgeMotion(scene_, scene_.start, scene_.goal) != Motion::Blocked ||
-            judgeMotion(scene_, scene_.start, withdrawn) != Motion::Free)
+        if (!drawBentStart(scene_, arm.drawnBack(wayBack_), 1.0, leastClearance, random_))
             return false;
         writeWitness(arm);
         return true;
