@@ -24,6 +24,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/narrowsConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/narrowsConfig.cmake ${PROJECT_BINARY_DIR}/narrowsConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/OmplTarget.cmake DESTINATION ${NARROWS_CMAKE_DIR} COMPONENT dev)
 
+# A package goes to another prefix than an installed tree.
+file(RELATIVE_PATH NARROWS_WAY_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/narrows.pc.in ${PROJECT_BINARY_DIR}/narrows.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/narrows.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 
@@ -37,7 +39,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libnarrows-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "libeigen3-dev, libompl-dev, libfcl-dev, libfmt-dev, libnlopt-cxx-dev, libyaml-cpp-dev, libboost-all-dev, libgmp-dev, libmpfr-dev")
+  "libeigen3-dev, libompl-dev, libfcl-dev, libfmt-dev, libnlopt-cxx-dev, libyaml-cpp-dev, libboost-filesystem-dev, libboost-serialization-dev, libboost-system-dev, libgmp-dev, libmpfr-dev")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME narrows)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)

@@ -26,12 +26,9 @@ HPPM::HPPM(const ob::SpaceInformationPtr &si, std::shared_ptr<const RepulsionMod
 
 ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
 {
-    checkValidity();
     if (space_ == nullptr || static_cast<Eigen::Index>(space_->getDimension()) != joints())
-    {
-        reason_ = "space";
-        return ob::PlannerStatus::ABORT;
-    }
+        return refuse("space");
+    checkValidity();
     if (!pdef_->getGoal()->hasType(ob::GOAL_SAMPLEABLE_REGION))
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
     if (!takeStart())
@@ -43,10 +40,7 @@ ob::PlannerStatus HPPM::solve(const ob::PlannerTerminationCondition &ptc)
 ob::PlannerStatus HPPM::followGiven(const ob::PlannerTerminationCondition &ptc)
 {
     if (!given_.continuous && !model_->supportsPoints())
-    {
-        reason_ = "no_points";
-        return ob::PlannerStatus::ABORT;
-    }
+        return refuse("no_points");
     const CurveRecipe recipe = givenRecipe();
     // Only the first goal is worth waiting for: nextGoal(ptc) sleeps until ptc when it has none left, nextGoal() does
     // not.

@@ -26,6 +26,13 @@ ob::PlannerStatus ModelPlanner::open(const ob::PlannerTerminationCondition &ptc)
     return ptc ? ob::PlannerStatus::TIMEOUT : ob::PlannerStatus::UNKNOWN;
 }
 
+ob::PlannerStatus ModelPlanner::refuse(const std::string &reason)
+{
+    checkValidity();
+    reason_ = reason;
+    return ob::PlannerStatus::ABORT;
+}
+
 bool ModelPlanner::takeStart()
 {
     if (startState_)

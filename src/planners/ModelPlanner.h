@@ -49,6 +49,10 @@ protected:
     /// search may begin or go on; anything else is what solve() returns. The reason is timeout from here on.
     ob::PlannerStatus open(const ob::PlannerTerminationCondition &ptc);
 
+    /// What solve() returns where the planner has nothing to go by: ABORT, with this reason().
+    /// \throws ompl::Exception as checkValidity() does, where there is no problem to solve
+    ob::PlannerStatus refuse(const std::string &reason);
+
     /// Takes the problem's first valid start, once. False if there is none.
     bool takeStart();
 

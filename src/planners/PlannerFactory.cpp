@@ -34,6 +34,13 @@ bool byName(const PlannerEntry &a, const PlannerEntry &b)
     return a.name < b.name;
 }
 
+/// Says of which robots a scenario must be, where the planner made for another would only ABORT.
+void requireFit(const std::string &name, const std::string &why)
+{
+    if (!why.empty())
+        throw std::invalid_argument(name + " is not for this robot: " + why);
+}
+
 PlannerEntry hppm()
 {
     PlannerEntry result;
@@ -67,13 +74,14 @@ PlannerEntry vdsm()
     result.summary = "scales the tip's way to those of the joints, round obstacles along the slide (VDSM)";
     result.usesModel = true;
     result.followsTipPath = true;
-    result.make = [](const PlannerContext &context)
-    {
-        return std::make_shared<VDSM>(context.si, context.spatial);
-    };
     result.unsupported = [](const PlannerContext &context)
     {
         return VDSM::whyUnsupported(context.spatial.get());
+    };
+    result.make = [unsupported = result.unsupported](const PlannerContext &context)
+    {
+        requireFit("vdsm", unsupported(context));
+        return std::make_shared<VDSM>(context.si, context.spatial);
     };
     return result;
 }
@@ -100,13 +108,14 @@ PlannerEntry tight()
     result.summary =
         "feeds a chain along one path for all its joints, bent until every link is free (tight maneuvering)";
     result.usesModel = true;
-    result.make = [](const PlannerContext &context)
-    {
-        return std::make_shared<TightManeuvering>(context.si, context.planar, context.spatial);
-    };
     result.unsupported = [](const PlannerContext &context)
     {
         return TightManeuvering::whyUnsupported(context.planar.get(), context.spatial.get());
+    };
+    result.make = [unsupported = result.unsupported](const PlannerContext &context)
+    {
+        requireFit("tight", unsupported(context));
+        return std::make_shared<TightManeuvering>(context.si, context.planar, context.spatial);
     };
     return result;
 }

@@ -31,10 +31,7 @@ Threader::Threader(const ob::SpaceInformationPtr &si, std::shared_ptr<const Plan
 ob::PlannerStatus Threader::solve(const ob::PlannerTerminationCondition &ptc)
 {
     if (space_ == nullptr)
-    {
-        reason_ = "space";
-        return ob::PlannerStatus::ABORT;
-    }
+        return refuse("space");
     const ob::PlannerStatus opened = open(ptc);
     if (opened != ob::PlannerStatus::UNKNOWN)
         return opened;

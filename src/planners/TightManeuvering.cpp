@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/TightManeuvering.h"
 
-#include <stdexcept>
-
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 
@@ -11,13 +9,21 @@
 
 namespace narrows
 {
+namespace
+{
+/// Is this the space of the robot that the model describes?
+template <typename Space, typename Model>
+bool isSpaceOf(const Model &model, const ob::StateSpace &space)
+{
+    const auto *own = dynamic_cast<const Space *>(&space);
+    return own != nullptr && own->arm().dimension() == model.arm.dimension();
+}
+}  // namespace
+
 TightManeuvering::TightManeuvering(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> planar,
                                    std::shared_ptr<const SpatialModel> spatial)
   : ModelPlanner(si, "TightManeuvering"), planar_(std::move(planar)), spatial_(std::move(spatial))
 {
-    const std::string why = whyUnsupported(planar_.get(), spatial_.get());
-    if (!why.empty())
-        throw std::invalid_argument("tight is not for this robot: " + why);
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
     declareParameters();
@@ -30,8 +36,19 @@ std::string TightManeuvering::whyUnsupported(const PlanarModel *planar, const Sp
     return planar != nullptr ? whyNoChain(*planar) : whyNoChain(*spatial);
 }
 
+bool TightManeuvering::canWork() const
+{
+    if (!whyUnsupported(planar_.get(), spatial_.get()).empty())
+        return false;
+    const ob::StateSpace &space = *si_->getStateSpace();
+    return planar_ ? isSpaceOf<PlanarArmStateSpace>(*planar_, space)
+                   : isSpaceOf<SpatialArmStateSpace>(*spatial_, space);
+}
+
 ob::PlannerStatus TightManeuvering::solve(const ob::PlannerTerminationCondition &ptc)
 {
+    if (!canWork())
+        return refuse("space");
     if (const ob::PlannerStatus opened = open(ptc); opened != ob::PlannerStatus::UNKNOWN)
         return opened;
     if (runs_.empty())

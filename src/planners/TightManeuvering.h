@@ -33,8 +33,8 @@ namespace narrows
 class TightManeuvering : public ModelPlanner
 {
 public:
-    /// One of the models is null.
-    /// \throws std::invalid_argument if whyUnsupported() says something
+    /// \param si of the arm that the model describes; solve() says so elsewhere
+    /// \param planar, spatial robot and obstacles; that of the other kind of robot is null
     TightManeuvering(const ob::SpaceInformationPtr &si, std::shared_ptr<const PlanarModel> planar,
                      std::shared_ptr<const SpatialModel> spatial);
 
@@ -44,7 +44,8 @@ public:
     /// Besides OMPL's usual statuses: ABORT when everything has been tried in vain. reason() is then what stopped the
     /// last try that got as far as a path: a name of `ChainFailure`, or no_corridor, start_not_straight, slide_limit,
     /// motion (the validator refuses what the certificate accepts), goal_motion, a failure of the beams or of the
-    /// field; `timeout` if there was more to try. A later call goes on.
+    /// field; `timeout` if there was more to try. ABORT with `space` if the space is not that of the model's robot or
+    /// whyUnsupported() says something. A later call goes on.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
     void clear() override;                                      ///< Forgets the search, not the parameters.
@@ -71,6 +72,7 @@ public:
 
 private:
     void declareParameters();
+    bool canWork() const;
     ob::PlannerStatus takeGoals(const ob::PlannerTerminationCondition &ptc);
     void addRun(const ob::State *goal);
     /// Makes the next try; true if it solved.

@@ -2,7 +2,6 @@
 #include "planners/VDSM.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <ompl/base/goals/GoalSampleableRegion.h>
 
@@ -18,22 +17,15 @@ namespace
 using Eigen::Vector3d;
 
 constexpr double coarseSteps = 20.0;  ///< per reach
-
-ChainGeometry geometryOf(const SpatialModel *model)
-{
-    const std::string why = VDSM::whyUnsupported(model);
-    if (!why.empty())
-        throw std::invalid_argument("vdsm is not for this robot: " + why);
-    return *chainGeometry(model->arm);
-}
 }  // namespace
 
 VDSM::VDSM(const ob::SpaceInformationPtr &si, const std::shared_ptr<const SpatialModel> &model)
   : ModelPlanner(si, "VDSM"),
     model_(model),
-    space_(si->getStateSpace()->as<SpatialArmStateSpace>()),
-    chain_(geometryOf(model.get()))
+    space_(dynamic_cast<const SpatialArmStateSpace *>(si->getStateSpace().get()))
 {
+    if (whyUnsupported(model.get()).empty())
+        chain_ = chainGeometry(model->arm);
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.directed = true;
     specs_.approximateSolutions = true;
@@ -54,6 +46,8 @@ std::string VDSM::whyUnsupported(const SpatialModel *model)
 
 ob::PlannerStatus VDSM::solve(const ob::PlannerTerminationCondition &ptc)
 {
+    if (!chain_ || space_ == nullptr || space_->arm().dimension() != model_->arm.dimension())
+        return refuse("space");
     if (const ob::PlannerStatus opened = open(ptc); opened == ob::PlannerStatus::TIMEOUT)
         return finish(true);
     else if (opened != ob::PlannerStatus::UNKNOWN)
@@ -110,9 +104,9 @@ std::optional<ob::PlannerStatus> VDSM::takeGoal(const ob::PlannerTerminationCond
 
 void VDSM::addSearch(const std::vector<Vector3d> &tips, std::optional<Eigen::VectorXd> target)
 {
-    ScalingProblem problem = scalingProblem(chain_);
-    addObstacles(model_->obstacles, chain_, problem);
-    const PoseTranslator translator(chain_);
+    ScalingProblem problem = scalingProblem(*chain_);
+    addObstacles(model_->obstacles, *chain_, problem);
+    const PoseTranslator translator(*chain_);
     std::vector<Vector3d> centres;
     translator.toCentres(model_->arm, start_, centres);
     std::vector<Vector3d> waypoints;

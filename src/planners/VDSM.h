@@ -38,7 +38,8 @@ namespace narrows
 class VDSM : public ModelPlanner
 {
 public:
-    /// \throws std::invalid_argument if whyUnsupported() says something
+    /// \param si of the arm that the model describes; solve() says so elsewhere
+    /// \param model robot and obstacles
     VDSM(const ob::SpaceInformationPtr &si, const std::shared_ptr<const SpatialModel> &model);
 
     /// Why the method is not for this robot; empty if it is.
@@ -47,8 +48,9 @@ public:
     /// Besides OMPL's usual statuses: ABORT when everything has been tried in vain, APPROXIMATE_SOLUTION if at least a
     /// part of the tip's way was found (its difference is the length of the rest). reason() is that of the longest
     /// part: a name of `ScalingFailure`, or `start_motion`, `motion`, `goal_motion` when the validator refuses the
-    /// motion to the first pose, between poses, or to the goal's joint values; `timeout`. A later call goes on with
-    /// what has not been tried yet.
+    /// motion to the first pose, between poses, or to the goal's joint values; `timeout`. ABORT with `space` if the
+    /// space is not that of the model's robot or whyUnsupported() says something. A later call goes on with what has
+    /// not been tried yet.
     ob::PlannerStatus solve(const ob::PlannerTerminationCondition &ptc) override;
     using ob::Planner::solve;
     void clear() override;                                      ///< Forgets the search, not the parameters.
@@ -105,8 +107,8 @@ private:
     std::shared_ptr<og::PathGeometric> toPath(const Attempt &attempt) const;
 
     std::shared_ptr<const SpatialModel> model_;
-    const SpatialArmStateSpace *space_;
-    ChainGeometry chain_;
+    const SpatialArmStateSpace *space_;   ///< null if the space is another
+    std::optional<ChainGeometry> chain_;  ///< none if the robot is another
     ScalingSettings settings_;
 
     Eigen::VectorXd start_;

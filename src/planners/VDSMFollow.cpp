@@ -36,7 +36,7 @@ VDSM::Attempt VDSM::follow(const ScaledWay &way, const Search &search, const ob:
 {
     Attempt attempt{{start_}, toText(way.fault.failure), restFrom(way.tips, 0)};
     const std::size_t poses = way.scaled.poses();
-    PoseTranslator translator(chain_);
+    PoseTranslator translator(*chain_);
     Eigen::VectorXd values;
     // A part of the way is worth checking only if it may be much longer than the longest so far.
     const bool promising =
@@ -91,9 +91,9 @@ bool VDSM::join(const Eigen::VectorXd &from, const Eigen::VectorXd &to, Attempt 
         attempt.states.push_back(to);
         return true;
     }
-    const ScalingProblem problem = scalingProblem(chain_);
+    const ScalingProblem problem = scalingProblem(*chain_);
     const PoseRules rules(problem);
-    PoseTranslator translator(chain_);
+    PoseTranslator translator(*chain_);
     std::vector<Vector3d> first, last;
     translator.toCentres(model_->arm, from, first);
     translator.toCentres(model_->arm, to, last);

@@ -49,7 +49,8 @@ std::string VDSM::getMode() const
 
 void VDSM::setMargin(double margin)
 {
-    require(margin == 0.0 || margin >= chain_.radius, "margin must be 0 or at least the radius of the links");
+    require(margin == 0.0 || (margin > 0.0 && (!chain_ || margin >= chain_->radius)),
+            "margin must be 0 or at least the radius of the links");
     settings_.margin = margin;
 }
 

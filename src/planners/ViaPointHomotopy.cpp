@@ -37,11 +37,7 @@ ViaPointHomotopy::ViaPointHomotopy(const ob::SpaceInformationPtr &si, bool selfC
 ob::PlannerStatus ViaPointHomotopy::solve(const ob::PlannerTerminationCondition &ptc)
 {
     if (space_ == nullptr)
-    {
-        checkValidity();
-        reason_ = "space";
-        return ob::PlannerStatus::ABORT;
-    }
+        return refuse("space");
     if (const ob::PlannerStatus opened = open(ptc); opened != ob::PlannerStatus::UNKNOWN)
         return opened;
     if (!goal_)

@@ -123,16 +123,21 @@ BOOST_FIXTURE_TEST_SUITE(Narrows, PlanTest)
 OMPL_PLANNER_TEST(HPPM, 95.0, 0.01)
 OMPL_PLANNER_TEST(ViaPointHomotopy, 95.0, 0.01)
 
-// The others are for arms, and say so.
+// The others are for arms, and say so by status.
 BOOST_AUTO_TEST_CASE(geometric_Refusals)
 {
     geometric::SimpleSetup2DMap setup(env_);
-    const auto threader = std::make_shared<narrows::Threader>(setup.getSpaceInformation(), nullptr, nullptr, nullptr);
-    setup.setPlanner(threader);
-    BOOST_CHECK(setup.solve(SOLUTION_TIME) == base::PlannerStatus::ABORT);
-    BOOST_CHECK_EQUAL(threader->reason(), "space");
-    BOOST_CHECK(!narrows::TightManeuvering::whyUnsupported(nullptr, nullptr).empty());
-    BOOST_CHECK(!narrows::VDSM::whyUnsupported(nullptr).empty());
+    const base::SpaceInformationPtr &si = setup.getSpaceInformation();
+    const std::vector<std::shared_ptr<narrows::ModelPlanner>> planners{
+        std::make_shared<narrows::Threader>(si, nullptr, nullptr, nullptr),
+        std::make_shared<narrows::TightManeuvering>(si, nullptr, nullptr),
+        std::make_shared<narrows::VDSM>(si, nullptr)};
+    for (const auto &planner : planners)
+    {
+        setup.setPlanner(planner);
+        BOOST_CHECK(setup.solve(SOLUTION_TIME) == base::PlannerStatus::ABORT);
+        BOOST_CHECK_EQUAL(planner->reason(), "space");
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

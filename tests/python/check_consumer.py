@@ -3,9 +3,11 @@
 
     check_consumer.py installed|package BUILD_DIRECTORY SOURCE_DIRECTORY WORK_DIRECTORY
     check_consumer.py subproject BUILD_DIRECTORY SOURCE_DIRECTORY WORK_DIRECTORY
+    check_consumer.py machine PREFIX SOURCE_DIRECTORY WORK_DIRECTORY
 
 installed: `cmake --install` into a prefix; package: the .deb that CPack makes, unpacked; subproject: FetchContent, only
-configured (its libraries are those of this build, once more). pkg-config is asked as well where there is a prefix.
+configured (its libraries are those of this build, once more); machine: the package is installed on this machine, in PREFIX
+(tests/consumer/check-clean-machine). Where there is a prefix, a program is also built with what pkg-config says.
 """
 import os
 import pathlib
@@ -26,6 +28,8 @@ def output(*command):
 
 def prefix_of(kind, build, work):
     """Where Narrows was put."""
+    if kind == "machine":
+        return build
     if kind == "installed":
         run("cmake", "--install", build, "--prefix", work / "prefix", "--component", "dev")
         return work / "prefix"
@@ -79,21 +83,32 @@ def check_depends(depends, programs):
     assert len(files) > 1000 and not missing, f"Depends lacks what brings {sorted(missing)}"
 
 
+def assert_plans(source, program, planner):
+    scenario = source / "experiments" / "scenarios" / "hppm_case1.yaml"
+    assert output(program, scenario, planner) == f"{planner}: Exact solution\n"
+
+
 def build_and_look(source, work):
     run("cmake", "--build", work / "build")
     programs = work / "build"
     assert output(programs / "kernel_only") == "tip at 1 1\n"
-    scenario = source / "experiments" / "scenarios" / "hppm_case1.yaml"
     for planner in ("hppm", "rrtconnect", "threader"):
-        assert output(programs / "plan", scenario, planner) == f"{planner}: Exact solution\n"
+        assert_plans(source, programs / "plan", planner)
     for scene in ("scara", "distance"):
         assert f"{scene}: solved, least clearance 0.0" in output(programs / "own_robot", scene)
 
 
-def ask_pkg_config(prefix):
-    folder, = prefix.glob("lib/**/pkgconfig")
-    flags = output("pkg-config", "--with-path", folder, "--define-prefix", "--cflags", "--libs", "narrows")
+def build_by_pkg_config(kind, prefix, source, work):
+    package, = prefix.glob("lib/**/pkgconfig/narrows.pc")
+    where = [] if kind == "machine" else ["--with-path", package.parent]
+    flags = output("pkg-config", *where, "--cflags", "--libs", "narrows")
     assert "-lnarrows_kernel" in flags and "include/narrows" in flags, flags
+    program = work / "plan_by_pkg_config"
+    libraries = package.parent.parent  # where the loader looks, if they are shared
+    # C++17 last: Debian's ompl.pc says 14.
+    run("c++", source / "tests" / "consumer" / "plan.cpp", "-o", program, *flags.split(), f"-Wl,-rpath,{libraries}",
+        "-O1", "-std=c++17")
+    assert_plans(source, program, "hppm")
 
 
 def main(kind, build, source, work):
@@ -108,7 +123,7 @@ def main(kind, build, source, work):
     build_and_look(source, work)
     if kind == "package":
         check_depends((work / "depends").read_text(), work / "build")
-    ask_pkg_config(prefix)
+    build_by_pkg_config(kind, prefix, source, work)
 
 
 if __name__ == "__main__":
