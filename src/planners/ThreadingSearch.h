@@ -47,9 +47,10 @@ public:
         bool recentring = true;  ///< where the tangent leaves nothing of the way, go to the middle itself
     };
 
+    /// What the search has done so far.
     struct Counts
     {
-        std::uint64_t samples = 0;
+        std::uint64_t samples = 0;  ///< calls of grow() and explore()
         std::uint64_t blocked = 0;  ///< straight steps that were not free
         std::uint64_t centred = 0;  ///< centred steps that were
         std::uint64_t refused = 0;  ///< and those that were not
@@ -57,43 +58,49 @@ public:
         std::uint64_t bent = 0;     ///< steps along an obstacle
     };
 
+    /// \param si decides which motions are free \param chart of its space
     /// \param midGap finds the gaps, when a step is blocked for the first time; null: no centred steps
     /// \param collision null: steps that end in obstacles are not bent along them
+    /// \param centring of blocked steps
     ThreadingSearch(const ob::SpaceInformationPtr &si, const JointChart &chart,
                     std::function<std::unique_ptr<const GapEquations>()> midGap, std::unique_ptr<Overlap> collision,
                     const Centring &centring);
 
-    void addStart(const ob::State *state) { addRoot(0, state); }
-    void addGoal(const ob::State *state) { addRoot(1, state); }
+    void addStart(const ob::State *state) { addRoot(0, state); }  ///< a free state, which is copied
+    void addGoal(const ob::State *state) { addRoot(1, state); }   ///< the same; starts come first
+    /// How many starts (side 0) or goals (side 1) there are.
     int roots(int side) const { return static_cast<int>(rootsOf(side).size()); }
     /// The root's place in the chart.
     const Eigen::VectorXd &root(int side, int number) const;
 
     /// \param slices that are searched besides joint space, through the first roots of both trees, in the chart
     void setSlices(AffineSlices slices);
-    const AffineSlices &slices() const { return slices_; }
+    const AffineSlices &slices() const { return slices_; }  ///< those of setSlices()
 
     /// Joins a start and a goal by the straight motion; false if it is not free.
     bool goStraight(int start, int goal);
 
     /// Grows one tree towards a sample, the other towards what that has led to; next time the trees change places.
-    /// \param sample in the chart, and in the slice \return whether the trees have met
+    /// \param stride how the sample is used \param sample in the chart, and in the slice
+    /// \param random for choices at gaps \param ptc asked between steps \return whether the trees have met
     bool grow(const Stride &stride, const Eigen::VectorXd &sample, ompl::RNG &random,
               const ob::PlannerTerminationCondition &ptc);
 
     /// Grows one tree from a node at the edge of what its tips have reached (TipCells) by a random step whose end is
     /// free, and the other towards that, if its tips have been nearby: BKPIECE1's step (OMPL).
     /// \param range longest step, > 0; joints turn by at most that by the root of their number, all of them or each
-    /// against the one that carries it \return whether the trees have met
+    /// against the one that carries it
+    /// \param random for node and step \param ptc asked between steps \return whether the trees have met
     bool explore(double range, ompl::RNG &random, const ob::PlannerTerminationCondition &ptc);
 
     /// Once they have met: from a start to a goal.
     std::shared_ptr<og::PathGeometric> path() const;
 
+    /// That of the starts (side 0) or of the goals (side 1).
     const ThreadingTree &tree(int side) const { return trees_[static_cast<std::size_t>(side)]; }
     /// The state of a node; of roots, exactly the one that was given.
     void write(int side, int node, ob::State *state) const;
-    const Counts &counts() const { return counts_; }
+    const Counts &counts() const { return counts_; }  ///< since the search was made
     /// Whether few blocked steps could go on through gaps: passages wind, but are not narrow.
     bool isWinding() const { return leastGapSteps * counts_.centred < counts_.blocked; }
     /// Whether trees mostly go along gaps: more centred steps than samples.

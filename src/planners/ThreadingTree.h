@@ -12,6 +12,7 @@ namespace narrows
 class ThreadingTree
 {
 public:
+    /// A configuration, and how the tree has come to it.
     struct Node
     {
         Eigen::VectorXd x;  ///< in a JointChart
@@ -22,9 +23,11 @@ public:
     /// \param periods of the coordinates, +infinity where there is none
     explicit ThreadingTree(const Eigen::VectorXd &periods) : periods_(periods) {}
 
+    /// Adds a node. \param x, parent, level as in Node
     /// \param coordinates in slices; at least as many as the tree keeps
-    /// \param listed whether nearest() shall find it
+    /// \param listed whether nearest() shall find it \return its index
     int add(const Eigen::VectorXd &x, int parent, int level, const Eigen::VectorXd &coordinates, bool listed);
+    /// From now on nearest() finds this node. \pre it did not \param node, coordinates as in add()
     void list(int node, const Eigen::VectorXd &coordinates);
     /// Keeps the coordinates of other slices from now on. \param count of coordinates
     /// \param coordinates yields those of a place
@@ -37,8 +40,9 @@ public:
             append(coordinates((*this)[node].x));
     }
 
+    /// \pre 0 <= node < size()
     const Node &operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
-    int size() const { return static_cast<int>(nodes_.size()); }
+    int size() const { return static_cast<int>(nodes_.size()); }  ///< number of nodes
 
     /// The listed node that is the least way from x, the short way round; -1 without nodes.
     int nearest(const Eigen::VectorXd &x) const;

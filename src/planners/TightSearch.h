@@ -19,12 +19,13 @@ enum class TightMode
     Beams    ///< the paper's: through the ends of beams
 };
 
+/// How paths are looked for.
 struct TightSettings
 {
-    TightMode mode = TightMode::Relax;
-    TightGrid grid;
-    int rounds = 400;  ///< >= 1, of relaxation per try
-    int couples = 2;   ///< 1 to 4, of beams in space
+    TightMode mode = TightMode::Relax;  ///< how a path is made
+    TightGrid grid;                     ///< for the middle paths
+    int rounds = 400;                   ///< >= 1, of relaxation per try
+    int couples = 2;                    ///< 1 to 4, of beams in space
 };
 
 /// A path that was tried, from the start or from further on along the entrance line, and what the certificate says of
@@ -32,9 +33,9 @@ struct TightSettings
 template <int D>
 struct TightAttempt
 {
-    PointPath<D> nodes;
-    std::string failure;  ///< empty if a chain can follow the path
-    ChainCertificate certificate;
+    PointPath<D> nodes;            ///< corners of the path
+    std::string failure;           ///< empty if a chain can follow the path
+    ChainCertificate certificate;  ///< of the path, for the chain
 };
 
 /// Looks for paths that a chain can follow, one try after the other. In the cheapest corridor of a grid, then in each
@@ -46,9 +47,11 @@ template <int D>
 class TightSearch
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< of the plane or of space
 
     /// Obstacles, spec and settings are referred to.
+    /// \param obstacles, spec, settings where, for which chain and how paths are looked for
+    /// \param start, goal of the chain's tip \param entrance unit vector along which the chain is fed
     /// \param goalRoom how far from the goal relaxed paths may end, >= 0
     TightSearch(const ChordObstacles<D> &obstacles, const ChainSpec &spec, const TightSettings &settings,
                 const Point &start, const Point &entrance, const Point &goal, double goalRoom = 0.0);

@@ -24,7 +24,7 @@ enum class TightField
 /// Of the grid that middle paths are looked for on.
 struct TightGrid
 {
-    TightField field = TightField::Corridor;
+    TightField field = TightField::Corridor;  ///< where middle paths come from
     double spacing = 0.0;  ///< 0: a twelfth of a link in space, a fortieth in the plane, if that is not too many cells
     int corridors = 12;    ///< >= 1, how many are looked for at most
     int refinements = 2;   ///< >= 0, how often the grid is refined if there is no way through it
@@ -34,8 +34,8 @@ struct TightGrid
 template <int D>
 struct TightWay
 {
-    PointPath<D> middle;
-    double width;  ///< of its corridor, typically
+    PointPath<D> middle;  ///< its nodes
+    double width;         ///< of its corridor, typically
 };
 
 /// Middle paths from the start of a chain's tip to its goal.
@@ -43,8 +43,8 @@ template <int D>
 class TightWays
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
-    using AlignedBox = Eigen::AlignedBox<double, D>;
+    using Point = Eigen::Matrix<double, D, 1>;        ///< of the plane or of space
+    using AlignedBox = Eigen::AlignedBox<double, D>;  ///< of the grid
 
     /// Obstacles, spec and settings are referred to.
     TightWays(const ChordObstacles<D> &obstacles, const ChainSpec &spec, const TightGrid &settings);
@@ -59,7 +59,7 @@ public:
     /// the cells. False if none has been found, or `stop` said so: then there may be more.
     bool findAnother(const std::function<bool()> &stop);
 
-    const std::vector<TightWay<D>> &found() const { return ways_; }
+    const std::vector<TightWay<D>> &found() const { return ways_; }  ///< in the order in which they were found
     /// cells, corridors.
     const std::map<std::string, double> &counts() const { return counts_; }
 

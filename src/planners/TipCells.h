@@ -23,7 +23,7 @@ public:
 
     /// How many nodes have been added: the next one's number.
     int size() const { return size_; }
-    void add(const ob::State *state);
+    void add(const ob::State *state);  ///< The next node, by its state.
 
     /// A node of the cell that matters most; now and then of one that is not at the edge. \pre size() > 0
     int choose(ompl::RNG &random);

@@ -25,9 +25,9 @@ function draw(
     case "intervals":
       return intervalsChart(figure.panels[panel], figure.x, styles, width);
     case "steps":
-      return stepsChart(figure.panels[panel], figure, styles, width, hidden);
+      return stepsChart(figure.panels[panel], { labels: figure, styles, width, hidden });
     case "trend":
-      return trendChart(figure.panels[panel], figure, styles, width, hidden);
+      return trendChart(figure.panels[panel], { labels: figure, styles, width, hidden });
     case "stacked":
       return stackedChart(figure.panels[panel], figure.x, width);
     case "phase":

@@ -4,8 +4,8 @@
 import { svg } from "../dom";
 import { brief } from "../format";
 import type { Series, TrendPanel } from "../model";
-import type { Style } from "./colours";
-import { picture, text, title, xAxis, yAxis } from "./frame";
+import { curvesChart, type CurvesView } from "./curves";
+import { title, xAxis, yAxis } from "./frame";
 import { log, type Scale } from "./scale";
 
 const MARGIN = 1.3; // of the axes beyond the points, as a factor
@@ -26,34 +26,18 @@ function points(series: Series, x: Scale, y: Scale, stroke: string): SVGCircleEl
   );
 }
 
-/** \param hidden names of series that are left out; the axes stay as they are */
-export function trendChart(
-  panel: TrendPanel,
-  labels: { x: string; y: string },
-  styles: Map<string, Style>,
-  width: number,
-  hidden: Set<string>,
-): SVGSVGElement {
-  const height = Math.min(400, Math.max(280, 0.55 * width));
-  const box = { left: 64, right: width - 22, top: 10, bottom: height - 44 };
-  const chart = picture(width, height, `${labels.y} over ${labels.x}`);
-  const [across, up] = [panel.series.flatMap((series) => series.x), panel.series.flatMap((series) => series.y)];
-  if (across.length === 0) {
-    chart.append(text(width / 2, height / 2, "nothing was solved here", { "text-anchor": "middle" }));
-    return chart;
-  }
-  const scale = (values: number[], from: number, to: number, count: number): Scale =>
-    log(Math.min(...values) / MARGIN, Math.max(...values) * MARGIN, from, to, count);
-  const x = scale(across, box.left, box.right, width < 500 ? 4 : 7);
-  const y = scale(up, box.bottom, box.top, 6);
-  chart.append(xAxis(box, x, labels.x), yAxis(box, y, labels.y));
-  for (const series of panel.series
-    .filter(({ name }) => !hidden.has(name))
-    .sort((a, b) => Number(a.ours) - Number(b.ours))) {
-    const { stroke, dash } = styles.get(series.name) ?? { stroke: "currentColor", dash: "" };
-    const line = { d: linePath(series, x, y), fill: "none", stroke, "stroke-width": series.ours ? 2.6 : 1.6 };
-    chart.append(svg("path", { ...line, "stroke-dasharray": dash || "none", class: "curve" }, title(series.name)));
-    chart.append(...points(series, x, y, stroke));
-  }
-  return chart;
+export function trendChart(panel: TrendPanel, view: CurvesView): SVGSVGElement {
+  return curvesChart(panel.series, view, 64, (chart, box) => {
+    const scale = (values: number[], from: number, to: number, count: number): Scale =>
+      log(Math.min(...values) / MARGIN, Math.max(...values) * MARGIN, from, to, count);
+    const [across, up] = [panel.series.flatMap((series) => series.x), panel.series.flatMap((series) => series.y)];
+    const x = scale(across, box.left, box.right, view.width < 500 ? 4 : 7);
+    const y = scale(up, box.bottom, box.top, 6);
+    chart.append(xAxis(box, x, view.labels.x), yAxis(box, y, view.labels.y));
+    return (series, stroke) => ({
+      path: linePath(series, x, y),
+      tooltip: series.name,
+      marks: points(series, x, y, stroke),
+    });
+  });
 }
