@@ -8,6 +8,9 @@
 
 namespace narrows
 {
+/// Is it OMPL 2? Some of its planners do what they did not do in 1.5.2.
+inline constexpr bool isOmpl2 = OMPL_VERSION_VALUE >= 2000000;
+
 /// What OMPL calls differently from version to version. Shortcuts between random points of a path.
 inline bool shortcutRandomly(og::PathSimplifier &simplifier, og::PathGeometric &path)
 {

@@ -80,15 +80,15 @@ std::vector<narrows::DistanceFunction> boxesOf(Environment2D map)
 /// What stands in the environment that a space was made for: upstream's planners never learn it, ours must.
 std::vector<narrows::DistanceFunction> obstaclesOf(const base::SpaceInformationPtr &si)
 {
-    const boost::filesystem::path resources(TEST_RESOURCES_DIR);
+    const std::string resources = TEST_RESOURCES_DIR;
     if (dynamic_cast<const geometric::StateValidityChecker2DCircles *>(si->getStateValidityChecker().get()) == nullptr)
     {
         Environment2D map;
-        loadEnvironment((resources / "env1.txt").string().c_str(), map);
+        loadEnvironment((resources + "/env1.txt").c_str(), map);
         return boxesOf(map);
     }
     Circles2D circles;
-    circles.loadCircles((resources / "circle_obstacles.txt").string());
+    circles.loadCircles(resources + "/circle_obstacles.txt");
     std::vector<narrows::DistanceFunction> result;
     for (const Circles2D::Circle &circle : circles.circles_)
         result.push_back(disc("disc" + std::to_string(result.size()), {circle.x_, circle.y_}, circle.r_));
