@@ -164,6 +164,7 @@ TEST_P(LinkObstacles, PoleHasTheSignOfTheClearance)
             const double pole = shape->pole(link).value;
             ASSERT_TRUE(std::isfinite(pole));
             EXPECT_EQ(pole > 0.0, clearance > 0.0) << trial << ": " << pole << ", " << clearance;
+            EXPECT_EQ(shape->isMet(link), pole < 0.0) << trial << ": " << pole;
             changes += clearance > 0.0 ? 0 : 1;
         }
         EXPECT_GT(changes, 40);

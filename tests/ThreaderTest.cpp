@@ -174,6 +174,39 @@ TEST(Threader, StartsLean)
     EXPECT_LT(motions, 1.2 * rivals);
 }
 
+// Openings of the maze count as gaps for so long a chain, and some steps go on through them: it winds all the same.
+TEST(Threader, LongChainsGoThroughMazesByCells)
+{
+    double byCells = 0.0, draws = 0.0, samples = 0.0;
+    for (std::uint32_t seed = 1; seed <= 4; ++seed)
+    {
+        const Scenario scenario = generated("maze", {{"links", "20"}, {"seed", "1"}});
+        const Attempt attempt = solve(scenario, seed);
+        expectSolved(scenario, attempt);
+        EXPECT_LT(attempt.problem.counts->motionChecks, 6000u);
+        EXPECT_GT(attempt.measure("centred_steps"), 0.0);
+        byCells += attempt.measure("solved_by_cells");
+        draws += attempt.measure("draws");
+        samples += attempt.measure("samples");
+    }
+    EXPECT_EQ(byCells, 4.0);
+    EXPECT_LT(draws, 40.0 * samples);  // of up to 100: links that are free are kept
+}
+
+// Where two gaps hold a long chain, one of the curves of the first rounds arrives.
+TEST(Threader, FollowsCurvesEarlyWhereGapsAreThreaded)
+{
+    double byTraces = 0.0;
+    for (const std::string seed : {"3", "4", "5"})
+    {
+        const Scenario scenario = generated("tube_generic", {{"links", "32"}, {"half_width", "1e-3"}, {"seed", seed}});
+        const Attempt attempt = solve(scenario, 1, {{"rounds", "2"}});
+        expectSolved(scenario, attempt);
+        byTraces += attempt.measure("solved_by_traces");
+    }
+    EXPECT_EQ(byTraces, 3.0);
+}
+
 TEST(Threader, GoesStraightWhereItCan)
 {
     Scenario scenario = paperCase(1);

@@ -2,6 +2,7 @@
 // What Threader is built from besides gaps: slices, samples, overlaps, charts of joint space, trees.
 #include <cmath>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
@@ -113,6 +114,32 @@ TEST_P(OverlapOfCase, SaysWhatTheCheckerSaysAndHowToGetOut)
         EXPECT_GT(overlap.deepest(q + step * gradient, unused), depth);
     }
     EXPECT_GT(deep, 1);
+}
+
+// The links up to one, as an arm of their own, are free as long as that is not the first that overlaps.
+TEST_P(OverlapOfCase, NamesTheFirstLinkThatOverlaps)
+{
+    const PlanarModel model = paperScene(GetParam()).model;
+    DeepestOverlap overlap(model);
+    std::mt19937 random(13);
+    std::set<int> named;
+    for (int i = 0; i < 500; ++i)
+    {
+        const VectorXd q = randomVector(random, model.arm.dimension(), M_PI);
+        int expected = -1;
+        for (int count = 1; count <= model.arm.linkCount() && expected < 0; ++count)
+        {
+            PlanarModel part = model;
+            const auto &links = model.arm.links();
+            part.arm = PlanarArm(model.arm.base(), {links.begin(), links.begin() + count}, model.arm.radius());
+            expected = DeepestOverlap(part).isMet(q.head(count)) ? count - 1 : -1;
+        }
+        const int met = overlap.firstMet(q, 0);
+        ASSERT_EQ(met, expected) << i;
+        named.insert(met);
+        EXPECT_EQ(overlap.firstMet(q, std::max(met, 0)), met);
+    }
+    EXPECT_GE(named.size(), 3u);
 }
 
 TEST_P(OverlapOfCase, LooksAtMotionsWhereTheyAreDivided)

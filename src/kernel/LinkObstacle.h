@@ -18,6 +18,8 @@ public:
     virtual LinkTerm pole(const Segment &link) const = 0;
     /// Distance of the link's edge from the obstacle, negative where they meet (see PlanarRepulsionModel.h).
     virtual LinkTerm clearance(const Segment &link) const = 0;
+    /// Whether the link overlaps the obstacle: pole(link).value < 0, which may cost far more.
+    virtual bool isMet(const Segment &link) const { return pole(link).value < 0.0; }
 };
 
 /// \param linkRadius half-width of the links

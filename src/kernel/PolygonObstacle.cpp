@@ -82,7 +82,50 @@ PolygonObstacle::PolygonObstacle(const Polygon &polygon, double linkRadius, doub
     const double pi = std::acos(-1.0);
     size_ = 2.0 * (std::min(std::sqrt(areaOf(edges_) / pi), reach) + linkRadius);
     for (const Polygon &part : convexParts(polygon))
+    {
         pieces_.push_back(edgesOf(part));
+        insides_.push_back(insideOf(pieces_.back()));
+    }
+}
+
+std::vector<PolygonObstacle::HalfPlane> PolygonObstacle::insideOf(const std::vector<Segment> &edges)
+{
+    std::vector<HalfPlane> inside;
+    for (const Segment &edge : edges)
+    {
+        const Vector2d outward(edge.along.y(), -edge.along.x());
+        inside.push_back({outward, outward.dot(edge.base)});
+    }
+    return inside;
+}
+
+/// Whether half-planes leave something of the link (Cyrus and Beck, Generalized two- and three-dimensional clipping,
+/// 1978).
+bool PolygonObstacle::enters(const Segment &link, const std::vector<HalfPlane> &inside)
+{
+    double from = 0.0, to = 1.0;
+    for (const HalfPlane &half : inside)
+    {
+        const double start = half.outward.dot(link.base) - half.offset;
+        const double slope = half.outward.dot(link.along);
+        if (start >= 0.0 && start + slope >= 0.0)
+            return false;
+        if (start > 0.0)
+            from = std::max(from, -start / slope);
+        else if (start + slope > 0.0)
+            to = std::min(to, -start / slope);
+        if (from >= to)
+            return false;
+    }
+    return true;
+}
+
+bool PolygonObstacle::isMet(const Segment &link) const
+{
+    for (const std::vector<HalfPlane> &inside : insides_)
+        if (enters(link, inside))
+            return true;
+    return linkRadius_ > 0.0 && distance(link).value < linkRadius_;
 }
 
 bool PolygonObstacle::meets(const Segment &link) const
@@ -134,8 +177,10 @@ LinkTerm PolygonObstacle::clearance(const Segment &link) const
 
 LinkTerm PolygonObstacle::pole(const Segment &link) const
 {
+    if (isMet(link))
+        return poleOf(clearance(link), size_);
     SmoothMinimum minimum(linkRadius_);
     visitWays(link, edges_, [&minimum](const Vector2d &apart, double fraction) { minimum.add(apart, fraction); });
-    return poleOf(minimum.positive() && !meets(link) ? minimum.value() : clearance(link), size_);
+    return poleOf(minimum.positive() ? minimum.value() : clearance(link), size_);
 }
 }  // namespace narrows

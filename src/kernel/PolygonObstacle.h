@@ -14,8 +14,17 @@ public:
 
     LinkTerm pole(const Segment &link) const override;
     LinkTerm clearance(const Segment &link) const override;
+    bool isMet(const Segment &link) const override;
 
 private:
+    /// The points x with outward . x <= offset.
+    struct HalfPlane
+    {
+        Eigen::Vector2d outward;  ///< of any length
+        double offset;
+    };
+    static std::vector<HalfPlane> insideOf(const std::vector<Segment> &edges);
+    static bool enters(const Segment &link, const std::vector<HalfPlane> &inside);
     bool meets(const Segment &link) const;
     LinkTerm distance(const Segment &link) const;
     LinkTerm depth(const Segment &link) const;
@@ -23,7 +32,8 @@ private:
     Polygon polygon_;
     Bounds box_;
     std::vector<Segment> edges_;
-    std::vector<std::vector<Segment>> pieces_;  ///< edges of convex polygons that make up the polygon
+    std::vector<std::vector<Segment>> pieces_;     ///< edges of convex polygons that make up the polygon
+    std::vector<std::vector<HalfPlane>> insides_;  ///< of the same
     double linkRadius_;
     double size_;  ///< 2 (R + link radius)
 };

@@ -10,6 +10,7 @@ namespace
 {
 constexpr double firstSlide = 0.1;  ///< radians
 constexpr int mostDraws = 100;      ///< of a step whose end is free
+constexpr int mostRedraws = 8;      ///< of the links from one on, before all of them are drawn anew
 constexpr double twoPi = boost::math::constants::two_pi<double>();
 
 double *valuesOf(ob::State *state)
@@ -146,23 +147,32 @@ bool ThreadingSearch::drawStep(const Eigen::VectorXd &from, double range, ompl::
 {
     const double reach = range / std::sqrt(static_cast<double>(from.size()));
     turning_.resize(from.size());
-    for (int draw = 0; draw < mostDraws; ++draw)
+    bool ofTurns = false;
+    int first = 0;  // the links of the joints before it are free where these have turned them
+    for (int draw = 0, redraws = 0; draw < mostDraws; ++draw)
     {
         ++counts_.draws;
-        for (Eigen::Index j = 0; j < turning_.size(); ++j)
+        if (first == 0)
+            ofTurns = random.uniformBool();
+        for (Eigen::Index j = first; j < turning_.size(); ++j)
             turning_[j] =
                 reach * std::min(1.0, (chart_.upper()[j] - chart_.lower()[j]) / twoPi) * random.uniformReal(-1.0, 1.0);
-        if (random.uniformBool())
+        if (ofTurns)
             chart_.wayOfTurns(turning_, direction_);
         else
             direction_ = turning_;
-        next_ = from + chart_.unambiguousPart(direction_) * direction_;
+        const double part = chart_.unambiguousPart(direction_);
+        next_ = from + part * direction_;
         chart_.enforceLimits(next_);
-        if (isMet(next_))
-            continue;
-        chart_.write(next_, valuesOf(to_.get()));
-        if (si_->isValid(to_.get()))
-            return true;
+        const int met = firstMet(next_, part < 1.0 ? 0 : first);
+        if (met < 0)
+        {
+            chart_.write(next_, valuesOf(to_.get()));
+            if (si_->isValid(to_.get()))
+                return true;
+        }
+        redraws = met > first ? 0 : redraws + 1;
+        first = part < 1.0 || redraws >= mostRedraws ? 0 : std::max(met, 0);
     }
     return false;
 }

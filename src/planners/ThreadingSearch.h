@@ -102,14 +102,20 @@ public:
     void write(int side, int node, ob::State *state) const;
     const Counts &counts() const { return counts_; }  ///< since the search was made
     /// Whether few blocked steps could go on through gaps: passages wind, but are not narrow.
-    bool isWinding() const { return leastGapSteps * counts_.centred < counts_.blocked; }
-    /// Whether trees mostly go along gaps: more centred steps than samples.
-    bool isThreading() const { return counts_.centred > counts_.samples; }
+    bool isWinding() const
+    {
+        return static_cast<double>(counts_.centred) < leastGapShare * static_cast<double>(counts_.blocked);
+    }
+    /// Whether trees mostly go along gaps: several centred steps a sample.
+    bool isThreading() const { return counts_.centred > mostSlidesPerSample * counts_.samples; }
 
 private:
-    /// One of so many blocked steps goes on through a gap where gaps matter. Measured: half of them and more; in mazes
-    /// with openings that count as gaps a fifth; else none.
-    static constexpr int leastGapSteps = 3;
+    /// Part of the blocked steps that go on through a gap where gaps matter. Measured: four in five and more in tubes;
+    /// at most three in five in a horn and in mazes of long chains with openings that count as gaps; else none.
+    static constexpr double leastGapShare = 2.0 / 3.0;
+    /// Centred steps per sample from which on trees mostly go along gaps: six and more where two meet a chain of 32
+    /// links, up to two in the horn.
+    static constexpr std::uint64_t mostSlidesPerSample = 3;
     /// Until so many steps have been blocked, motions are certified without looking at them first, and blocked steps
     /// not bent: in the open, the next sample costs less.
     static constexpr int openSteps = 3;
@@ -162,8 +168,8 @@ private:
     bool hasGaps();  ///< finds them when first asked
     /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
     bool isDeep(const Eigen::VectorXd &x);
-    /// The same, and no more than that.
-    bool isMet(const Eigen::VectorXd &x);
+    /// The first joint from `joint` on whose link an obstacle holds there (Overlap); -1 if none is known to.
+    int firstMet(const Eigen::VectorXd &x, int joint);
     /// Whether an obstacle is seen in the way of a step: spares most of the motion checks that would fail.
     bool meetsObstacle(const Eigen::VectorXd &from, const Eigen::VectorXd &step);
     Progress stepAlong(Way &way);

@@ -73,7 +73,8 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    const bool mayBeFree = looksOpen() || (!isDeep(next_) && !meetsObstacle(from, step_));
+    const bool mayBeFree =
+        looksOpen() || (!(way.isPlain ? firstMet(next_, 0) >= 0 : isDeep(next_)) && !meetsObstacle(from, step_));
     if (mayBeFree && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
@@ -89,12 +90,12 @@ bool ThreadingSearch::isDeep(const Eigen::VectorXd &x)
     return depth_ < 0.0;
 }
 
-bool ThreadingSearch::isMet(const Eigen::VectorXd &x)
+int ThreadingSearch::firstMet(const Eigen::VectorXd &x, int joint)
 {
     if (!collision_)
-        return false;
+        return -1;
     chart_.toConfiguration(x, q_);
-    return collision_->isMet(q_);
+    return collision_->firstMet(q_, joint);
 }
 
 bool ThreadingSearch::meetsObstacle(const Eigen::VectorXd &from, const Eigen::VectorXd &step)

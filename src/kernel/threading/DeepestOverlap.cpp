@@ -112,6 +112,8 @@ double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
         {
             if (!meet(box, boxes_[i]))
                 continue;
+            if (!obstacle(i).isMet(links_[t]))
+                continue;
             const LinkTerm term = obstacle(i).pole(links_[t]);
             if (!(term.value < depth))
                 continue;
@@ -136,23 +138,25 @@ const LinkObstacle &DeepestOverlap::obstacle(std::size_t i)
     return *obstacles_[i];
 }
 
-bool DeepestOverlap::overlaps()
+int DeepestOverlap::firstOverlap(std::size_t link)
 {
-    for (const Segment &link : links_)
+    for (; link < links_.size(); ++link)
     {
-        const Bounds box = boxOf(link);
+        const Bounds box = boxOf(links_[link]);
         for (std::size_t i = 0; i < boxes_.size(); ++i)
-            if (meet(box, boxes_[i]) && obstacle(i).pole(link).value < 0.0)
-                return true;
+            if (meet(box, boxes_[i]) && obstacle(i).isMet(links_[link]))
+                return static_cast<int>(link);
     }
-    return false;
+    return -1;
 }
 
-bool DeepestOverlap::isMet(ConfigurationRef q)
+int DeepestOverlap::firstMet(ConfigurationRef q, int joint)
 {
     direct(q, directions_[0]);
     place(directions_[0], q[0]);
-    return overlaps();
+    const int offset = arm_.firstAngle();
+    const int link = firstOverlap(static_cast<std::size_t>(std::max(joint - offset, 0)));
+    return link > 0 ? link + offset : link;
 }
 
 bool DeepestOverlap::isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts)
@@ -173,7 +177,7 @@ bool DeepestOverlap::isMetBetween(ConfigurationRef q, ConfigurationRef delta, in
             const double t = double(i) / parts;
             halve(at(i - stride), at(i + stride), q, delta, t, double(stride) / parts, at(i));
             place(at(i), q[0] + t * delta[0]);
-            if (overlaps())
+            if (firstOverlap(0) >= 0)
                 return true;
         }
     return false;

@@ -20,7 +20,8 @@ public:
     explicit DeepestOverlap(const PlanarModel &model);
 
     double deepest(ConfigurationRef q, Eigen::VectorXd &gradient) override;
-    bool isMet(ConfigurationRef q) override;
+    bool isMet(ConfigurationRef q) override { return firstMet(q, 0) >= 0; }
+    int firstMet(ConfigurationRef q, int joint) override;
     /// \throws std::invalid_argument for other numbers of parts
     bool isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts) override;
 
@@ -33,7 +34,8 @@ private:
     void halve(const Directions &from, const Directions &to, ConfigurationRef q, ConfigurationRef delta, double t,
                double half, Directions &result) const;
     void place(const Directions &directions, double slide);
-    bool overlaps();
+    /// The first link that overlaps an obstacle, from `link` on; -1 if none does.
+    int firstOverlap(std::size_t link);
     /// Made when a link comes near it for the first time: in the open, most never are.
     const LinkObstacle &obstacle(std::size_t i);
 
