@@ -6,17 +6,17 @@
 
 namespace narrows
 {
-/// @name What setters of parameters do with values that are out of range
-/// All throw std::invalid_argument; the message begins with the parameter's name.
-///@{
+/// What setters of parameters do with values that are out of range.
 /// \throws std::invalid_argument with the message unless the condition holds
 void require(bool condition, const std::string &message);
 
-/// \return the value, which must lie between the two others or be one of them; NaN does not
+/// The value, which must lie between the two others or be one of them; NaN does not.
+/// \throws std::invalid_argument with the parameter's name and the range
 int within(int least, int value, int most, const std::string &name);
-double within(double least, double value, double most, const std::string &name);  ///< \copydoc within
+/// The same for numbers that need not be whole. \throws std::invalid_argument
+double within(double least, double value, double most, const std::string &name);
 
-/// \return the value, which must be one of the words
+/// The value, which must be one of the words.
+/// \throws std::invalid_argument with the parameter's name and the words
 const std::string &oneOf(std::initializer_list<const char *> words, const std::string &value, const std::string &name);
-///@}
 }  // namespace narrows
