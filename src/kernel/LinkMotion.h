@@ -40,6 +40,7 @@ struct MovingPoint
     }
 };
 
+/// A point that stays where it is.
 template <int Dim>
 MovingPoint<Dim> resting(const Eigen::Matrix<double, Dim, 1> &position)
 {

@@ -64,10 +64,12 @@ inline double poleOf(double clearance, double size)
 {
     return clearance * (size + std::max(clearance, 0.0));
 }
+/// Its derivative by the clearance.
 inline double poleSlope(double clearance, double size)
 {
     return size + 2.0 * std::max(clearance, 0.0);
 }
+/// The same of a clearance with its derivatives by a link, and theirs.
 inline LinkTerm poleOf(const LinkTerm &clearance, double size)
 {
     return {poleOf(clearance.value, size), clearance.slope.times(poleSlope(clearance.value, size))};

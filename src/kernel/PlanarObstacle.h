@@ -44,5 +44,6 @@ struct Bounds
     Eigen::Vector2d upper;  ///< greatest coordinates
 };
 
+/// The smallest such box.
 Bounds bounds(const PlanarObstacle &obstacle);
 }  // namespace narrows

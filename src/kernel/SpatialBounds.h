@@ -18,6 +18,7 @@ struct SpatialBounds
 };
 
 /// The smallest such box around a shape.
+///@{
 SpatialBounds spatialBounds(const Sphere &sphere);
 SpatialBounds spatialBounds(const Capsule &capsule);
 SpatialBounds spatialBounds(const Cylinder &cylinder);
@@ -25,6 +26,7 @@ SpatialBounds spatialBounds(const Box &box);
 SpatialBounds spatialBounds(const Prism &prism);
 SpatialBounds spatialBounds(const Mesh &mesh);
 SpatialBounds spatialBounds(const SpatialObstacle &obstacle);
+///@}
 
 /// How far from the origin any point of the arm can be, at most.
 double farthestFromOrigin(const SpatialArm &arm);

@@ -24,11 +24,13 @@ struct Nearness
 };
 
 /// All of these take a segment ab, which may be a point.
+///@{
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Sphere &sphere);
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Capsule &capsule);
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Cylinder &cylinder);
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Box &box);
 Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Prism &prism);
+///@}
 
 /// Where two segments ab and cd come closest: at a + first (b - a) and c + second (d - c).
 struct ClosestFractions
@@ -36,6 +38,7 @@ struct ClosestFractions
     double first;
     double second;
 };
+/// Of segments on parallel lines, one of many such places.
 ClosestFractions closestFractions(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &c,
                                   const Eigen::Vector3d &d);
 

@@ -7,6 +7,7 @@
 
 namespace narrows
 {
+/// How a search for a tip ended.
 enum class TipSearchStatus
 {
     Reached,

@@ -42,7 +42,7 @@ enum class StepLimit
     Pole,         ///< an obstacle function falls too far
     Guard         ///< TrackerOptions::guard refuses the straight way
 };
-constexpr int stepLimitCount = 8;
+constexpr int stepLimitCount = 8;  ///< values of StepLimit
 
 /// "longest", "growth", ...
 std::string toString(StepLimit limit);

@@ -7,6 +7,7 @@
 
 namespace narrows
 {
+/// Its corners.
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
 /// A triangle has no inside: where the segment passes through it, `distance` is minus the way back out of it for the

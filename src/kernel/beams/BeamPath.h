@@ -8,6 +8,7 @@
 
 namespace narrows
 {
+/// Why there is no path by beams.
 enum class BeamFailure
 {
     None,

@@ -54,6 +54,7 @@ struct CarriageVerdict
 CarriageVerdict certifyCarriage(const std::vector<CarrierPose> &way, const Carrier &carrier,
                                 const ChordObstacles<2> &resting, const std::vector<MovingDisc> &moving);
 
+/// Why there is no carriage.
 enum class CarriageFailure
 {
     None,

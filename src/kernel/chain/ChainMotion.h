@@ -30,7 +30,9 @@ struct ChainMotion
 /// middle, where what joints undo of each other's turns is known, and bounded from there on.
 ///
 /// \pre the arm is a chain on a slide (absolute angles); from and to are configurations of it
+///@{
 void chainMotion(const PlanarArm &arm, const Eigen::VectorXd &from, const Eigen::VectorXd &to, ChainMotion<2> &motion);
 void chainMotion(const ChainGeometry &chain, const Eigen::VectorXd &from, const Eigen::VectorXd &to,
                  ChainMotion<3> &motion);
+///@}
 }  // namespace narrows

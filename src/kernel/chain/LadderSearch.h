@@ -29,6 +29,7 @@ struct LadderSearchOptions
     long maxNodes = 20'000'000;  ///< >= 1
 };
 
+/// What the search has proven.
 enum class LadderVerdict
 {
     Excluded,      ///< proven: no chain of such links gets there, whatever its path

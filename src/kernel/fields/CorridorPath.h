@@ -11,6 +11,7 @@
 
 namespace narrows
 {
+/// Why there is no corridor.
 enum class CorridorFailure
 {
     None,
@@ -25,7 +26,7 @@ enum class CorridorFailure
 /// "not_connected" and the like.
 std::string toText(CorridorFailure failure);
 
-constexpr double dearestCorridor = 1e5;
+constexpr double dearestCorridor = 1e5;  ///< most that a unit of length costs, in units of one in the wide
 
 struct CorridorOptions
 {

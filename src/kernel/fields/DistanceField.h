@@ -23,7 +23,7 @@ enum class GridBorder
 template <int D>
 std::vector<int> squaredDistances(const VoxelGrid<D> &grid, GridBorder border);
 
-constexpr int noSquaredDistance = std::numeric_limits<int>::max();
+constexpr int noSquaredDistance = std::numeric_limits<int>::max();  ///< where no cell is occupied
 
 /// How far every cell's center is from the nearest occupied one, in units of length; infinity where there is none.
 ///

@@ -9,6 +9,7 @@
 
 namespace narrows
 {
+/// Why a streamline does not arrive.
 enum class StreamlineFailure
 {
     None,

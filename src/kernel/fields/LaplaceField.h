@@ -8,6 +8,7 @@
 
 namespace narrows
 {
+/// Why there is no field.
 enum class LaplaceFailure
 {
     None,

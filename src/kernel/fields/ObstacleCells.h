@@ -14,6 +14,8 @@ namespace narrows
 /// With room >= half the diagonal of a cell no obstacle, however thin, slips between the centers: every cell that an
 /// obstacle meets is occupied.
 /// \throws std::invalid_argument for a mesh that MeshGeometry refuses
+///@{
 void occupyCells(VoxelGrid<2> &grid, const std::vector<PlanarObstacle> &obstacles, double room);
 void occupyCells(VoxelGrid<3> &grid, const std::vector<SpatialObstacle> &obstacles, double room);
+///@}
 }  // namespace narrows

@@ -9,9 +9,11 @@
 
 namespace narrows
 {
+/// A polyline in the plane or in space.
 template <int D>
 using PointPath = std::vector<Eigen::Matrix<double, D, 1>>;
 
+/// Of the whole polyline; 0 of a point or none.
 template <int D>
 double lengthOf(const PointPath<D> &path)
 {

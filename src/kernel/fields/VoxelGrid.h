@@ -12,6 +12,7 @@
 
 namespace narrows
 {
+/// Why there is no grid.
 enum class GridFailure
 {
     None,

@@ -46,6 +46,7 @@ Eigen::Matrix3d slideAxes(const ChainGeometry &chain);
 /// The chain alone, in its slide frame; obstacles are to be added.
 ScalingProblem scalingProblem(const ChainGeometry &chain);
 
+/// Why a tip has no pose.
 enum class ScalingFailure
 {
     None,

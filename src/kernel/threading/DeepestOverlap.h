@@ -20,8 +20,9 @@ public:
     explicit DeepestOverlap(const PlanarModel &model);
 
     double deepest(ConfigurationRef q, Eigen::VectorXd &gradient) override;
+    /// Without an obstacle function: polygons clip links.
     bool isMet(ConfigurationRef q) override { return firstMet(q, 0) >= 0; }
-    int firstMet(ConfigurationRef q, int joint) override;
+    int firstMet(ConfigurationRef q, int joint) override;  ///< See Overlap; links hang on the joints before them.
     /// \throws std::invalid_argument for other numbers of parts
     bool isMetBetween(ConfigurationRef q, ConfigurationRef delta, int parts) override;
 

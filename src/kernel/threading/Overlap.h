@@ -24,7 +24,7 @@ public:
 
     /// The first joint, as q counts them, whose link overlaps an obstacle: as long as the joints before it stay, so do
     /// the links before that one. 0 also where links are not looked at one by one; -1 if none overlaps.
-    /// \param joint links of joints before it are known not to
+    /// The second argument: links of joints before it are known not to.
     virtual int firstMet(const Eigen::Ref<const Eigen::VectorXd> &q, int /*joint*/) { return isMet(q) ? 0 : -1; }
 
     /// Whether a link overlaps an obstacle at one of the configurations q + (i / parts) delta, 0 < i < parts, the

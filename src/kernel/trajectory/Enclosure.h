@@ -31,6 +31,9 @@ struct Enclosure
     bool hasZero() const { return lower <= 0.0 && upper >= 0.0; }
 };
 
+/// @name Arithmetic
+/// All values that the result takes while the operands take theirs, each for itself.
+///@{
 inline Enclosure operator-(const Enclosure &a)
 {
     return {-a.upper, -a.lower};
@@ -71,6 +74,8 @@ inline Enclosure exp(const Enclosure &a)
     return {std::exp(a.lower), std::exp(a.upper)};
 }
 
+///@}
+
 /// 1 - e^a without cancellation.
 /// \param power e^a
 inline double fallFromOne(double a, double power)
@@ -78,12 +83,14 @@ inline double fallFromOne(double a, double power)
     // expm1 takes three times as long as exp, and matters near 0 only.
     return a < -0.5 ? 1.0 - power : -std::expm1(a);
 }
+/// The same of all values.
 inline Enclosure fallFromOne(const Enclosure &a, const Enclosure &power)
 {
     return {fallFromOne(a.upper, power.upper), fallFromOne(a.lower, power.lower)};
 }
 
 /// For code that is written for numbers and enclosures.
+///@{
 inline double upperEnd(double value)
 {
     return value;
@@ -92,4 +99,5 @@ inline double upperEnd(const Enclosure &value)
 {
     return value.upper;
 }
+///@}
 }  // namespace narrows

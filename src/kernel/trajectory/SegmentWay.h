@@ -19,6 +19,7 @@ struct WayPiece
 /// From rest at 0 to rest at a distance.
 using SegmentWay = std::vector<WayPiece>;
 
+/// The sum of its pieces' durations.
 double timeOf(const SegmentWay &way);
 
 // distance > 0, limits valid().

@@ -12,6 +12,7 @@ struct PaperLogs
     double goalLog;  ///< zeta = t_s - log_n(|S_f - S_v| |n^t_s - n^a|); infinite for S_v = S_f
 };
 
+/// \param feedback S_v
 PaperLogs paperLogs(const ViaPointTask &task, const PaperParameters &parameters, double feedback);
 
 struct IterationResult
