@@ -21,13 +21,15 @@ enum class CableStatus
 /// "solved", "not_finite", ...
 std::string toString(CableStatus status);
 
+/// A joint's answer to the lengths of its cables.
 struct JointSolution
 {
-    CableStatus status;
-    UniversalAngles angles;
-    double residual;  ///< root of the sum of squared differences of the three lengths
+    CableStatus status;      ///< whether the angles follow from the lengths
+    UniversalAngles angles;  ///< the nearest ones found
+    double residual;         ///< root of the sum of squared differences of the three lengths
 };
 
+/// The whole drive's answer to the lengths of its cables.
 struct DriveSolution
 {
     CableStatus status;      ///< of the first joint that is not solved
@@ -53,8 +55,8 @@ public:
     explicit CableDrive(std::vector<double> linkLengths, double faceDistance = 30.0, double holeRadius = 55.0,
                         UniversalOrder order = UniversalOrder::PitchFirst);
 
-    int linkCount() const { return static_cast<int>(linkLengths_.size()); }
-    int cableCount() const { return 3 * linkCount(); }
+    int linkCount() const { return static_cast<int>(linkLengths_.size()); }  ///< how many links, and joints
+    int cableCount() const { return 3 * linkCount(); }                       ///< three a link
     /// 27 - 3 i for the paper's eight links and its joint i, which is this one's i - 1.
     int cablesThrough(int joint) const { return 3 * (linkCount() - joint); }
     /// phi, in [0, 2 pi).

@@ -12,10 +12,11 @@ enum class UniversalOrder
     YawFirst     ///< Rot(z, alpha) Rot(y, theta): Eq. 1 of VDSM, alpha its yaw, theta its pitch
 };
 
+/// Angles of a universal joint, radians.
 struct UniversalAngles
 {
-    double pitch;
-    double yaw;
+    double pitch;  ///< about y
+    double yaw;    ///< about z
 };
 
 /// How the link behind a universal joint is turned against the one before it.
@@ -37,7 +38,7 @@ public:
     {
         Eigen::Vector2d angles;  ///< pitch, yaw
         double residual;         ///< root of the sum of squared differences of the lengths
-        bool converged;
+        bool converged;          ///< whether the search has settled
     };
 
     /// \param holes three, which must outlive this

@@ -11,6 +11,7 @@ namespace narrows
 class CircleObstacle final : public LinkObstacle
 {
 public:
+    /// \param linkRadius half-width of the links, >= 0
     CircleObstacle(const Circle &circle, double linkRadius)
       : center_(circle.center), radius_(circle.radius + linkRadius), squaredRadius_(radius_ * radius_)
     {

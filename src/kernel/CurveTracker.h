@@ -12,7 +12,7 @@ namespace narrows
 /// per evaluation on random arms of 3 to 10 links among circles (poles of strength 0.003 to 0.1).
 struct TrackerOptions
 {
-    double firstStep = 0.02;
+    double firstStep = 0.02;   ///< length of the first step tried
     double maxStep = 0.35;     ///< branches nearer to each other than a quarter of this may be taken for each other
     double minStep = 1e-10;    ///< below this the curve is given up
     double endShare = 0.0;     ///< in [0, 1); so too below this part of the distance to the start or the goal,
@@ -31,7 +31,7 @@ struct TrackerOptions
     /// Whether the straight way between two configurations may be gone; a step whose ends it refuses is rejected. So
     /// that the chords of a curve that bends around an obstacle get short enough to stay outside.
     std::function<bool(const Eigen::VectorXd &from, const Eigen::VectorXd &to)> guard;
-    TraceWindow window;
+    TraceWindow window;  ///< where the curve is followed
 };
 
 /// Follows a homotopy curve from its start (lambda = 0): predictor by tangent and the last step's curvature, Newton's

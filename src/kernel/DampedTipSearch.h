@@ -9,6 +9,7 @@ namespace narrows
 using NullMotion =
     std::function<void(ConfigurationRef q, const SpatialArm::Placement &placement, Eigen::VectorXd &motion)>;
 
+/// How the search steps and when it gives up.
 struct DampedTipSearchOptions
 {
     double lambda = 0.003;  ///< damping, >= 0, as a share of the arm's reach
@@ -21,6 +22,7 @@ struct DampedTipSearchOptions
 class DampedTipSearch : public TipSearch
 {
 public:
+    /// \param task what the tip is asked for
     DampedTipSearch(const SpatialArm &arm, TipSearchTask task, DampedTipSearchOptions options);
 
     TipSearchResult reach(const Eigen::Vector3d &target, Eigen::VectorXd &q) override;

@@ -19,7 +19,9 @@ public:
     DistanceRepulsion(std::shared_ptr<const PlanarPoles> poles, const std::vector<double> &strengths);
 
     int dimension() const override { return poles_->arm().dimension(); }
+    /// W and its derivative, and the poles.
     void evaluate(ConfigurationRef q, Sample &sample) const override;
+    /// W alone.
     double value(ConfigurationRef q) const override;
 
 private:

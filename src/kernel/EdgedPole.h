@@ -19,6 +19,7 @@ namespace narrows
 class EdgedPole
 {
 public:
+    /// Of a box, all its edges and corners.
     explicit EdgedPole(const Box &box);
     /// \param far no link gets further than this from the origin: what is further away of endless edges is left out
     EdgedPole(const Prism &prism, double far);

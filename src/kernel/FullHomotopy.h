@@ -21,12 +21,14 @@ public:
     FullHomotopy(std::shared_ptr<const Repulsion> repulsion, const Eigen::VectorXd &start, const Eigen::VectorXd &goal,
                  const Eigen::MatrixXd &rows);
 
+    /// As they were given.
     const Eigen::MatrixXd &rows() const { return rows_; }
 
-    int equations() const override { return static_cast<int>(rows_.rows()); }
+    int equations() const override { return static_cast<int>(rows_.rows()); }  ///< one a row
     double lambdaScale() const override { return 1.0; }
     Eigen::VectorXd startPoint() const override;
     Eigen::VectorXd goalPoint() const override;
+    /// H and its Jacobian at point.z.
     void evaluate(CurvePoint &point) const override;
     void configuration(const Eigen::VectorXd &z, Eigen::VectorXd &w) const override;
 

@@ -24,11 +24,12 @@ class HomotopyCurve
 public:
     virtual ~HomotopyCurve() = default;
 
-    virtual int equations() const = 0;
+    virtual int equations() const = 0;  ///< n, one less than the unknowns
     /// What one unit of lambda counts for in the length of a step.
     virtual double lambdaScale() const = 0;
     virtual Eigen::VectorXd startPoint() const = 0;  ///< z, with lambda = 0
     virtual Eigen::VectorXd goalPoint() const = 0;   ///< z, with lambda = 1
+    /// H, its Jacobian and the poles at point.z.
     virtual void evaluate(CurvePoint &point) const = 0;
     /// The robot's configuration at z.
     virtual void configuration(const Eigen::VectorXd &z, Eigen::VectorXd &w) const = 0;

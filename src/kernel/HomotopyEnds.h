@@ -16,7 +16,10 @@ struct HomotopyEnds
     HomotopyEnds(const std::vector<std::shared_ptr<const Repulsion>> &repulsions, const Eigen::VectorXd &start,
                  const Eigen::VectorXd &goal);
 
-    Eigen::VectorXd start, goal, difference;  ///< D = goal - start
-    Eigen::VectorXd startValues, goalValues;  ///< one per repulsion
+    Eigen::VectorXd start;        ///< where lambda = 0
+    Eigen::VectorXd goal;         ///< where lambda = 1
+    Eigen::VectorXd difference;   ///< D = goal - start
+    Eigen::VectorXd startValues;  ///< W at the start, one per repulsion
+    Eigen::VectorXd goalValues;   ///< and at the goal
 };
 }  // namespace narrows

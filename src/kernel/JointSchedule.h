@@ -17,6 +17,7 @@ struct JointSchedule
     std::vector<int> held;  ///< per joint: 0 not held, -1 at the start, +1 at the goal; empty: none is
     double share = 0.0;     ///< in [0, 1), of lambda's way
 
+    /// Whether no joint is held back.
     bool empty() const
     {
         return std::all_of(held.begin(), held.end(), [](int hold) { return hold == 0; });
@@ -25,9 +26,10 @@ struct JointSchedule
     /// The part of its way that a joint has gone at lambda, and its derivative.
     struct Progress
     {
-        double value;
-        double rate;
+        double value;  ///< in [0, 1]
+        double rate;   ///< of change with lambda
     };
+    /// \param joint index in the configuration
     Progress progress(std::size_t joint, double lambda) const
     {
         const int hold = held.empty() ? 0 : held[joint];

@@ -13,9 +13,9 @@ namespace narrows
 template <int Dim>
 struct Link
 {
-    Eigen::Matrix<double, Dim, 1> a;
-    Eigen::Matrix<double, Dim, 1> b;
-    double radius;  ///< >= 0
+    Eigen::Matrix<double, Dim, 1> a;  ///< one end of the segment
+    Eigen::Matrix<double, Dim, 1> b;  ///< the other end
+    double radius;                    ///< >= 0
 };
 
 /// A point in the middle of a stretch of motion, and what bounds it until either end of the stretch. Rates are by the
@@ -23,9 +23,9 @@ struct Link
 template <int Dim>
 struct MovingPoint
 {
-    using Vector = Eigen::Matrix<double, Dim, 1>;
+    using Vector = Eigen::Matrix<double, Dim, 1>;  ///< a place or a velocity
 
-    Vector position;
+    Vector position;  ///< in the middle of the motion
     Vector velocity;  ///< in the middle
     double way;       ///< bound on its speed, all along the stretch
     double bend;      ///< bound on its acceleration, all along the stretch
@@ -53,7 +53,7 @@ MovingPoint<Dim> resting(const Eigen::Matrix<double, Dim, 1> &position)
 template <int Dim>
 struct LinkMotion
 {
-    using Vector = Eigen::Matrix<double, Dim, 1>;
+    using Vector = Eigen::Matrix<double, Dim, 1>;  ///< a place or a velocity
 
     MovingPoint<Dim> a;  ///< one end of the link's segment; all its points obey the bounds of the end with the greater
     MovingPoint<Dim> b;  ///< the other end

@@ -11,17 +11,19 @@ namespace narrows
 /// A segment in the plane: a link where it stands, or an edge.
 struct Segment
 {
-    Eigen::Vector2d base;
+    Eigen::Vector2d base;   ///< one end: of a link, where it hangs on
     Eigen::Vector2d along;  ///< from the base to the tip
     double inverseSquare;   ///< 1 / |along|^2
 
+    /// The segment from one point to another.
     static Segment between(const Eigen::Vector2d &base, const Eigen::Vector2d &tip)
     {
         return {base, tip - base, 1.0 / (tip - base).squaredNorm()};
     }
 
+    /// The point at that share of the way from the base to the tip.
     Eigen::Vector2d at(double fraction) const { return base + fraction * along; }
-    Eigen::Vector2d tip() const { return base + along; }
+    Eigen::Vector2d tip() const { return base + along; }  ///< the other end
     /// Where the line through the segment comes nearest to the point; 0 at the base, 1 at the tip.
     double foot(const Eigen::Vector2d &point) const { return (point - base).dot(along) * inverseSquare; }
     /// Where the segment does.
@@ -33,11 +35,12 @@ struct Segment
 /// What acts on a link: the derivative of some function of where the link lies, by its base and by its `along`.
 struct LinkForce
 {
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();
-    Eigen::Vector2d lever = Eigen::Vector2d::Zero();
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< by the base
+    Eigen::Vector2d lever = Eigen::Vector2d::Zero();  ///< by `along`
 
     /// The derivative of a function that depends on the link's point at `fraction` only.
     static LinkForce at(double fraction, const Eigen::Vector2d &part) { return {part, fraction * part}; }
+    /// The derivative of the function times a constant.
     LinkForce times(double factor) const { return {factor * force, factor * lever}; }
     /// Adds what at() gives.
     void push(double fraction, const Eigen::Vector2d &part)
@@ -45,6 +48,7 @@ struct LinkForce
         force += part;
         lever += fraction * part;
     }
+    /// Adds the derivative of another function times a constant.
     void add(double factor, const LinkForce &other)
     {
         force += factor * other.force;
@@ -55,8 +59,8 @@ struct LinkForce
 /// A function of where a link lies, and its derivative.
 struct LinkTerm
 {
-    double value = 0.0;
-    LinkForce slope;
+    double value = 0.0;  ///< of the function
+    LinkForce slope;     ///< its derivative
 };
 
 /// e (e + size) of a clearance e, continued below 0 as size * e: with e = |p| - r and size = 2 r, |p|^2 - r^2.

@@ -18,8 +18,9 @@ public:
     /// is said to be closed and some edge does not belong to exactly two triangles, once in each direction.
     explicit MeshGeometry(const Mesh &mesh);
 
+    /// Corner of the box around it with the least coordinates.
     const Eigen::Vector3d &lower() const { return nodes_[0].lower; }
-    const Eigen::Vector3d &upper() const { return nodes_[0].upper; }
+    const Eigen::Vector3d &upper() const { return nodes_[0].upper; }  ///< the one with the greatest
 
     /// Whether the surface winds around the point, which is not on it. Always false for open meshes.
     bool contains(const Eigen::Vector3d &point) const;

@@ -14,19 +14,20 @@ namespace narrows
 /// One side of a joint's limits, linear in the configuration: C = sign * (q[joint] - q[parent] - bound).
 struct LimitPole
 {
-    double sign;  ///< +1 above a lower bound, -1 below an upper one
-    int joint;    ///< index in the configuration
-    int parent;   ///< of the angle that this one is counted against; -1: none
-    double bound;
+    double sign;   ///< +1 above a lower bound, -1 below an upper one
+    int joint;     ///< index in the configuration
+    int parent;    ///< of the angle that this one is counted against; -1: none
+    double bound;  ///< radians, or length of a slide
 
+    /// C; negative beyond the limit.
     double value(ConfigurationRef q) const { return sign * (q[joint] - (parent < 0 ? 0.0 : q[parent]) - bound); }
 };
 
 /// Two links that must not touch each other.
 struct SelfPair
 {
-    int first;
-    int second;
+    int first;   ///< index of a link
+    int second;  ///< index of the other
 };
 
 /// All that a planar arm can have poles of, worked out once and shared by every DistanceRepulsion of the arm.
@@ -36,11 +37,11 @@ public:
     /// \throws std::invalid_argument if there are more joint limits than links
     PlanarPoles(const PlanarModel &model, const JointLimits &limits);
 
-    const PlanarArm &arm() const { return arm_; }
+    const PlanarArm &arm() const { return arm_; }  ///< the arm they are of
     /// One per obstacle of the model.
     const std::vector<std::unique_ptr<const LinkObstacle>> &obstacles() const { return obstacles_; }
-    const std::vector<LimitPole> &limits() const { return limits_; }
-    const std::vector<SelfPair> &pairs() const { return pairs_; }
+    const std::vector<LimitPole> &limits() const { return limits_; }  ///< sides of joint limits that are finite
+    const std::vector<SelfPair> &pairs() const { return pairs_; }     ///< of links that must not touch
     /// The names that RepulsionModel::groups promises.
     const std::vector<std::string> &groups() const { return groups_; }
     int limitGroup() const { return limitGroup_; }  ///< index of "limits"; -1 if there are none

@@ -24,7 +24,9 @@ public:
     static bool supports(const PlanarModel &model);
 
     int dimension() const override { return arm_.dimension(); }
+    /// W and its derivative, and the poles.
     void evaluate(ConfigurationRef q, Sample &sample) const override;
+    /// W alone.
     double value(ConfigurationRef q) const override;
 
 private:

@@ -9,12 +9,12 @@ namespace narrows
 /// loops.
 struct PoleArrays
 {
-    std::size_t count;
-    const double *x;
-    const double *y;
-    double *value;   ///< sum of P / C so far, per point
-    double *forceX;  ///< its derivative by x so far
-    double *forceY;  ///< its derivative by y so far
+    std::size_t count;  ///< of the points
+    const double *x;    ///< of every point
+    const double *y;    ///< of every point
+    double *value;      ///< sum of P / C so far, per point
+    double *forceX;     ///< its derivative by x so far
+    double *forceY;     ///< its derivative by y so far
 };
 
 /// C = |p - center|^2 - squaredRadius: adds P / C and its gradient to every point and writes C.

@@ -7,9 +7,11 @@
 
 namespace narrows
 {
+/// The obstacle function of a polygon (PlanarRepulsionModel.h).
 class PolygonObstacle : public LinkObstacle
 {
 public:
+    /// \param linkRadius half-width of the links; \param reach upper bound of R
     PolygonObstacle(const Polygon &polygon, double linkRadius, double reach);
 
     LinkTerm pole(const Segment &link) const override;

@@ -7,6 +7,7 @@
 
 namespace narrows
 {
+/// What a posture is wished for.
 struct PostureWishOptions
 {
     double bendGain = 0.1;      ///< in [0, 1]: share of its bend that a joint would lose in one step
@@ -23,6 +24,7 @@ struct PostureWishOptions
 class PostureWish
 {
 public:
+    /// \param poles of the arm, not null
     PostureWish(std::shared_ptr<const SpatialPoles> poles, const PostureWishOptions &options);
 
     /// \param motion resized; radians, lengths for prismatic joints

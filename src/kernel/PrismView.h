@@ -18,10 +18,11 @@ public:
     /// How far beyond the plane of a face the segment is: linear along it, negative inside.
     struct Height
     {
-        double start;
-        double rate;
+        double start;            ///< where the segment begins
+        double rate;             ///< of change along the segment, from its beginning to its end
         Eigen::Vector3d normal;  ///< unit, outwards
 
+        /// \param t share of the segment, from 0 to 1
         double at(double t) const { return start + t * rate; }
     };
 
@@ -31,6 +32,7 @@ public:
     {
     }
 
+    /// The point at that share of the segment.
     Eigen::Vector3d at(double t) const { return from_ + t * along_; }
 
     /// From the prism's nearest point to the segment's point; zero inside.

@@ -6,7 +6,7 @@ namespace narrows
 /// Cosines and sines of many angles at once, several times faster than one by one.
 struct SineCosineBlock
 {
-    static constexpr int most = 32;
+    static constexpr int most = 32;    ///< angles at once
     static constexpr int worthIt = 4;  ///< fewer are as fast one by one
 
     /// Sets cosines[i] and sines[i] of angles[i] for i < count <= most. Off by at most 2.5e-16 up to |angle| = 1e5;
@@ -15,8 +15,8 @@ struct SineCosineBlock
     void evaluate(int count);
 
     // Aligned as the longest vectors are, so that no loop has loose ends.
-    alignas(64) double angles[most];
-    alignas(64) double cosines[most];
-    alignas(64) double sines[most];
+    alignas(64) double angles[most];   ///< radians
+    alignas(64) double cosines[most];  ///< of the angles, after evaluate()
+    alignas(64) double sines[most];    ///< of the angles, after evaluate()
 };
 }  // namespace narrows

@@ -38,16 +38,17 @@ public:
     static SliceHomotopy fromRows(std::shared_ptr<const Repulsion> repulsion, const Eigen::VectorXd &start,
                                   const Eigen::VectorXd &goal, const Eigen::MatrixXd &rows);
 
-    const Eigen::VectorXd &start() const { return ends_.start; }
-    const Eigen::VectorXd &goal() const { return ends_.goal; }
+    const Eigen::VectorXd &start() const { return ends_.start; }            ///< lambda = 0
+    const Eigen::VectorXd &goal() const { return ends_.goal; }              ///< lambda = 1
     const Eigen::VectorXd &difference() const { return ends_.difference; }  ///< D
     const Eigen::MatrixXd &directions() const { return directions_; }       ///< N_i, unit vectors
     const Eigen::VectorXd &couplings() const { return couplings_; }         ///< c_i
 
-    int equations() const override { return static_cast<int>(couplings_.size()); }
-    double lambdaScale() const override { return scale_; }  ///< |D|
+    int equations() const override { return static_cast<int>(couplings_.size()); }  ///< k, one a slice direction
+    double lambdaScale() const override { return scale_; }                          ///< |D|
     Eigen::VectorXd startPoint() const override;
     Eigen::VectorXd goalPoint() const override;
+    /// H and its Jacobian at point.z.
     void evaluate(CurvePoint &point) const override;
     void configuration(const Eigen::VectorXd &z, Eigen::VectorXd &w) const override;
 

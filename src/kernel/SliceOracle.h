@@ -11,15 +11,16 @@ namespace narrows
 /// Which part of a slice is looked at, and how closely. Points are z = (s, |D| lambda).
 struct SliceWindow
 {
-    double lambdaMin = -0.3;
-    double lambdaMax = 1.3;
-    double deviation = 4.0;  ///< |s| is looked at up to here, > 0
-    int columns = 120;       ///< of the grid along lambda, >= 2
-    int rows = 120;          ///< along s, >= 2
-    int rings = 40;          ///< around start and goal, each half as wide as the one before; >= 0
-    int spokes = 24;         ///< points per ring, >= 3
+    double lambdaMin = -0.3;  ///< where the window begins
+    double lambdaMax = 1.3;   ///< where it ends
+    double deviation = 4.0;   ///< |s| is looked at up to here, > 0
+    int columns = 120;        ///< of the grid along lambda, >= 2
+    int rows = 120;           ///< along s, >= 2
+    int rings = 40;           ///< around start and goal, each half as wide as the one before; >= 0
+    int spokes = 24;          ///< points per ring, >= 3
 };
 
+/// Whether a slice has a way, and which.
 struct SliceAnswer
 {
     bool joins = false;                 ///< is there a way from start to goal in the slice?

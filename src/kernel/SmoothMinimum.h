@@ -11,9 +11,9 @@ namespace narrows
 /// A function of where two links lie, and its derivative.
 struct PairTerm
 {
-    double value = 0.0;
-    LinkForce first;
-    LinkForce second;
+    double value = 0.0;  ///< of the function
+    LinkForce first;     ///< its derivative by the first link
+    LinkForce second;    ///< its derivative by the second
 };
 
 /// A stand-in for the least of several distances d_k, less a radius: e with
@@ -22,6 +22,7 @@ struct PairTerm
 class SmoothMinimum
 {
 public:
+    /// \param radius by which both sides of the minimum are thicker than they are drawn
     explicit SmoothMinimum(double radius) : radius_(radius) {}
 
     /// \param apart from a resting point to that of the link at `fraction`

@@ -8,9 +8,10 @@ namespace narrows
 /// An axis-parallel box; some sides of it may be infinitely far away.
 struct SpatialBounds
 {
-    Eigen::Vector3d lower;
-    Eigen::Vector3d upper;
+    Eigen::Vector3d lower;  ///< least coordinates
+    Eigen::Vector3d upper;  ///< greatest coordinates
 
+    /// Whether the boxes have a point in common.
     bool meets(const SpatialBounds &other) const
     {
         return (lower.array() <= other.upper.array()).all() && (other.lower.array() <= upper.array()).all();

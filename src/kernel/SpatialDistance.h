@@ -35,8 +35,8 @@ Nearness nearness(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Pris
 /// Where two segments ab and cd come closest: at a + first (b - a) and c + second (d - c).
 struct ClosestFractions
 {
-    double first;
-    double second;
+    double first;   ///< along ab, in [0, 1]
+    double second;  ///< along cd, in [0, 1]
 };
 /// Of segments on parallel lines, one of many such places.
 ClosestFractions closestFractions(const Eigen::Vector3d &a, const Eigen::Vector3d &b, const Eigen::Vector3d &c,

@@ -13,8 +13,8 @@ namespace narrows
 /// An obstacle as a source of poles.
 struct SpatialPole
 {
-    std::variant<Sphere, Capsule, Cylinder, EdgedPole, MeshGeometry> shape;
-    double size;  ///< 2 R, see SpatialRepulsionModel.h
+    std::variant<Sphere, Capsule, Cylinder, EdgedPole, MeshGeometry> shape;  ///< as the pole sees it
+    double size;                                                             ///< 2 R, see SpatialRepulsionModel.h
 
     /// The clearance that its pole is a function of.
     /// \param guess as for MeshGeometry::nearest
@@ -27,20 +27,21 @@ struct SpatialPole
 /// One side of a joint's limits: C = sign * (q[joint] - bound).
 struct SpatialLimitPole
 {
-    double sign;  ///< +1 above a lower bound, -1 below an upper one
-    int joint;
-    double bound;
+    double sign;   ///< +1 above a lower bound, -1 below an upper one
+    int joint;     ///< index in the configuration
+    double bound;  ///< radians, or length of a slide
 };
 
 /// All that a spatial arm can have poles of, worked out once and shared by every Repulsion of the arm.
 class SpatialPoles
 {
 public:
+    /// Refers to nothing: obstacles and arm are copied.
     explicit SpatialPoles(const SpatialModel &model);
 
-    const SpatialArm &arm() const { return arm_; }
+    const SpatialArm &arm() const { return arm_; }                            ///< the arm they are of
     const std::vector<SpatialPole> &obstacles() const { return obstacles_; }  ///< in the model's order
-    const std::vector<SpatialLimitPole> &limits() const { return limits_; }
+    const std::vector<SpatialLimitPole> &limits() const { return limits_; }   ///< sides of joint limits that are finite
     const std::vector<std::pair<int, int>> &pairs() const { return pairs_; }  ///< links that must not touch
     /// The names that RepulsionModel::groups promises.
     const std::vector<std::string> &groups() const { return groups_; }
@@ -65,9 +66,9 @@ private:
 /// A function of where two links lie, and its derivative.
 struct SpatialPairTerm
 {
-    double value;
-    EndForces first;
-    EndForces second;
+    double value;      ///< of the function
+    EndForces first;   ///< its derivative by the first link
+    EndForces second;  ///< its derivative by the second
 };
 
 /// Clearance of two links of a placed arm; minus the sum of their radii where their segments meet.

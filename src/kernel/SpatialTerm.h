@@ -11,8 +11,8 @@ namespace narrows
 /// The derivative of some function of where a link lies, by the two ends of its segment.
 struct EndForces
 {
-    Eigen::Vector3d a = Eigen::Vector3d::Zero();
-    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< by the base
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();  ///< by the tip
 
     /// The function's derivative has this part by the point at `fraction` of the way from a to b.
     void push(double fraction, const Eigen::Vector3d &part)
@@ -20,6 +20,7 @@ struct EndForces
         a += (1.0 - fraction) * part;
         b += fraction * part;
     }
+    /// Adds the derivative of another function times a constant.
     void add(double factor, const EndForces &other)
     {
         a += factor * other.a;
@@ -30,8 +31,8 @@ struct EndForces
 /// A function of where a link lies, and its derivative.
 struct SpatialTerm
 {
-    double value = 0.0;
-    EndForces slope;
+    double value = 0.0;  ///< of the function
+    EndForces slope;     ///< its derivative
 };
 
 /// Distance of a link's surface from a shape.

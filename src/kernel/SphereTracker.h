@@ -8,13 +8,16 @@
 
 namespace narrows
 {
+/// How the curve is followed by hyperspheres, as the paper does.
 struct SphereOptions
 {
     double radius = 0.02;  ///< of every hypersphere, in the metric of z; the paper uses 0.001 to 0.04
+    /// >= 1; more end the trace.
     int maxSpheres = 20000;
     double tolerance = 1e-11;  ///< on the corrector's last update
+    /// >= 1; more end the trace.
     int maxCorrections = 30;
-    TraceWindow window;
+    TraceWindow window;  ///< where the curve is followed
 };
 
 /// The paper's algorithm to the letter (HPPM-PRA, Algorithm 1, Section 2), meant for a FullHomotopy: hyperspheres of

@@ -9,9 +9,10 @@ namespace narrows
 class SuperellipseGeometry
 {
 public:
+    /// \param shape exponent > 1, extents > 0
     explicit SuperellipseGeometry(const Superellipse &shape);
 
-    const Eigen::Vector2d &center() const { return center_; }
+    const Eigen::Vector2d &center() const { return center_; }  ///< of the shape
 
     /// |x/a|^p + |y/b|^p - 1 at a point: negative inside, 0 on the boundary, convex.
     double value(const Eigen::Vector2d &point) const;
@@ -33,8 +34,8 @@ public:
     /// Bounds on the distance between a segment and the shape.
     struct Separation
     {
-        double lower;
-        double upper;
+        double lower;               ///< of the distance
+        double upper;               ///< of the distance
         Eigen::Vector2d direction;  ///< unit vector from the shape to the segment, along which `lower` holds
     };
 

@@ -7,9 +7,11 @@
 
 namespace narrows
 {
+/// The obstacle function of a superellipse (PlanarRepulsionModel.h).
 class SuperellipseObstacle : public LinkObstacle
 {
 public:
+    /// \param linkRadius half-width of the links; \param reach upper bound of R
     SuperellipseObstacle(const Superellipse &shape, double linkRadius, double reach);
 
     LinkTerm pole(const Segment &link) const override;

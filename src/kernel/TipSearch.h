@@ -15,10 +15,11 @@ enum class TipSearchStatus
     NoConvergence  ///< not reached
 };
 
+/// How a search for a tip ended, and what it cost.
 struct TipSearchResult
 {
-    TipSearchStatus status;
-    int iterations;  ///< how often the arm was placed
+    TipSearchStatus status;  ///< whether the tip is where it should be
+    int iterations;          ///< how often the arm was placed
 };
 
 /// What a tip is asked for, whatever the target.

@@ -52,9 +52,9 @@ struct TraceStep
 {
     Eigen::VectorXd z;  ///< where it led: a point of the curve if accepted, the last correction if not
     double length;      ///< in the metric of z
-    bool accepted;
-    StepLimit limit;  ///< accepted: what set the length; rejected: what refused it
-    int corrections;  ///< Newton's updates
+    bool accepted;      ///< whether it became part of the curve
+    StepLimit limit;    ///< accepted: what set the length; rejected: what refused it
+    int corrections;    ///< Newton's updates
 };
 
 /// Where on the way from start to goal a curve may go. Outside the paper: it follows the curve until lambda = 1.
@@ -70,23 +70,24 @@ struct TraceWindow
 /// \throws std::invalid_argument if a limit of the window is out of range.
 void checkWindow(const TraceWindow &window);
 
+/// A curve that was followed, and what that cost.
 struct Trace
 {
-    TraceStatus status = TraceStatus::Interrupted;
-    std::vector<Eigen::VectorXd> configurations;  ///< first the start; last the goal itself if it was reached
-    std::vector<double> lambdas;                  ///< one per configuration
-    int steps = 0;                                ///< accepted; for the full form, the paper's number of hyperspheres
-    int rejected = 0;                             ///< steps that were tried and given up
-    std::int64_t evaluations = 0;                 ///< of the homotopy
-    int wrongRoots = 0;                           ///< crossings of lambda = 1 elsewhere than in the goal
+    TraceStatus status = TraceStatus::Interrupted;  ///< how it ended
+    std::vector<Eigen::VectorXd> configurations;    ///< first the start; last the goal itself if it was reached
+    std::vector<double> lambdas;                    ///< one per configuration
+    int steps = 0;                                  ///< accepted; for the full form, the paper's number of hyperspheres
+    int rejected = 0;                               ///< steps that were tried and given up
+    std::int64_t evaluations = 0;                   ///< of the homotopy
+    int wrongRoots = 0;                             ///< crossings of lambda = 1 elsewhere than in the goal
 
     // Of the adaptive tracker only:
     int folds = 0;                                 ///< how often the curve turned round in lambda
     std::array<int, stepLimitCount> limitedBy{};   ///< accepted steps by what set their length
     std::array<int, stepLimitCount> rejectedBy{};  ///< rejected steps by what refused them
-    std::optional<StepLimit> lastRejection;
-    int lastPole = -1;           ///< index of the pole that last refused a step (CurvePoint::poles)
-    std::vector<TraceStep> log;  ///< every step that was tried, if TrackerOptions::log
+    std::optional<StepLimit> lastRejection;        ///< none if no step was refused
+    int lastPole = -1;                             ///< index of the pole that last refused a step (CurvePoint::poles)
+    std::vector<TraceStep> log;                    ///< every step that was tried, if TrackerOptions::log
 };
 
 /// How a curve has ended that is at this lambda and this far from its start; nothing while it is within the window.

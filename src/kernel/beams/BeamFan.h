@@ -16,6 +16,7 @@ using PointDistance = std::function<double(const Eigen::Matrix<double, D, 1> &)>
 /// Beams that hit nothing end after so many link lengths.
 constexpr double openBeamLinks = 4.0;
 
+/// How densely and how far beams are cast.
 struct BeamFanOptions
 {
     double linkLength = 0.0;  ///< > 0
@@ -35,6 +36,7 @@ struct BeamCouple
     PointPath<D> directions;         ///< unit vectors, at right angles to the path
     std::vector<double> lengths[2];  ///< along the direction, against it
 
+    /// From the station to where the beam ends.
     Eigen::Matrix<double, D, 1> offset(int side, int station) const
     {
         const double signedLength = side == 0 ? lengths[0][station] : -lengths[1][station];
@@ -52,14 +54,15 @@ struct BeamCouple
 template <int D>
 struct BeamFan
 {
-    PointPath<D> stations;
-    PointPath<D> tangents;          ///< unit vectors
-    std::vector<double> clearance;  ///< of the stations, less the radius of the links
-    std::vector<BeamCouple<D>> couples;
-    double spacing = 0.0;           ///< between neighbouring stations along the path
-    double typicalClearance = 0.0;  ///< the median of `clearance`
+    PointPath<D> stations;               ///< on the middle path, evenly
+    PointPath<D> tangents;               ///< unit vectors
+    std::vector<double> clearance;       ///< of the stations, less the radius of the links
+    std::vector<BeamCouple<D>> couples;  ///< one in the plane, one to four in space
+    double spacing = 0.0;                ///< between neighbouring stations along the path
+    double typicalClearance = 0.0;       ///< the median of `clearance`
 
-    int count() const { return static_cast<int>(stations.size()); }
+    int count() const { return static_cast<int>(stations.size()); }  ///< of the stations
+    /// Where a beam ends.
     Eigen::Matrix<double, D, 1> end(int couple, int side, int station) const
     {
         return stations[station] + couples[couple].offset(side, station);

@@ -20,15 +20,16 @@ enum class BeamFailure
 /// "middle_blocked" and the like.
 std::string toText(BeamFailure failure);
 
+/// How the path is made of beams.
 struct BeamOptions
 {
-    BeamFanOptions fan;
+    BeamFanOptions fan;  ///< how beams are cast
     /// By default standardRegions(), a passage being as wide as the typical clearance and the link on both sides.
     std::optional<CriticalRegionOptions> regions;
     /// >= 0, half-width of the paper's windowing of the middle path, a length (about a quarter of a passage's width); 0
     /// leaves it as it is.
     double window = 0.0;
-    int passes = 3;
+    int passes = 3;         ///< of the window, >= 0
     double switchAt = 0.5;  ///< in [0, 1]: where between two regions the path changes sides (the paper: in the middle)
     /// > 0, in link lengths: how far behind a region the path changes sides if the next one is more than a link away
     /// (the paper: "earlier").
@@ -42,11 +43,11 @@ struct BeamOptions
 template <int D>
 struct BeamPath
 {
-    BeamFailure failure = BeamFailure::None;
-    PointPath<D> path;                    ///< begins and ends with the middle path's ends
-    std::vector<CriticalRegion> regions;  ///< none: the path is the middle path
-    int beams = 0;                        ///< how many were cast
-    int repairs = 0;                      ///< how often a beam was shortened
+    BeamFailure failure = BeamFailure::None;  ///< none: the path is whole
+    PointPath<D> path;                        ///< begins and ends with the middle path's ends
+    std::vector<CriticalRegion> regions;      ///< none: the path is the middle path
+    int beams = 0;                            ///< how many were cast
+    int repairs = 0;                          ///< how often a beam was shortened
 };
 
 /// The text of the paper as far as it goes; every gap that was filled is named in docs/tight.md. That a path was found

@@ -32,7 +32,7 @@ CriticalRegionOptions standardRegions(double width)
 /// Where a link must swing wide, around an inner corner to one side of the path.
 struct CriticalRegion
 {
-    int couple = 0;
+    int couple = 0;        ///< of beams: index in BeamFan::couples
     int side = 0;          ///< of the couple, where the inner corner is: 0 along its direction, 1 against it
     int first = 0;         ///< station
     int last = 0;          ///< station, >= first

@@ -15,6 +15,7 @@ struct MovingDisc
     std::vector<double> times;            ///< at least one, rising strictly
     std::vector<Eigen::Vector2d> places;  ///< as many
 
+    /// Its middle at that time.
     Eigen::Vector2d at(double time) const;
 };
 
@@ -27,21 +28,24 @@ struct Carrier
     double radius;  ///< >= 0
 };
 
+/// Where the carrier is, and when.
 struct CarrierPose
 {
+    /// >= 0.
     double time;
-    Eigen::Vector2d place;
-    double heading;  ///< radians; between two poses it goes straight, full turns count
+    Eigen::Vector2d place;  ///< of its middle
+    double heading;         ///< radians; between two poses it goes straight, full turns count
 };
 
 /// What of a carriage is free.
 struct CarriageVerdict
 {
-    bool free = true;
+    bool free = true;        ///< whether all of the way is
     double time = 0.0;       ///< where it is not: when
     int obstacle = -1;       ///< which one: those that rest first, then those that move
     double clearance = 0.0;  ///< the least that was looked at
 
+    /// Whether all of the way is free.
     explicit operator bool() const { return free; }
 };
 
@@ -67,21 +71,24 @@ enum class CarriageFailure
 /// "start_blocked" and the like.
 std::string toText(CarriageFailure failure);
 
+/// The lattice that is searched.
 struct CarriageOptions
 {
-    Eigen::Vector2d lower, upper;  ///< where the carrier's place may be
-    double spacing;                ///< of the lattice's places, > 0
-    int headings = 16;             ///< of the lattice, >= 4
-    double speed;                  ///< of the place, > 0
-    double turnRate;               ///< radians per unit of time, > 0
-    int maxStates = 2'000'000;     ///< >= 1
+    Eigen::Vector2d lower;      ///< where the carrier's place may be: least coordinates
+    Eigen::Vector2d upper;      ///< greatest coordinates
+    double spacing;             ///< of the lattice's places, > 0
+    int headings = 16;          ///< of the lattice, >= 4
+    double speed;               ///< of the place, > 0
+    double turnRate;            ///< radians per unit of time, > 0
+    int maxStates = 2'000'000;  ///< >= 1
 };
 
+/// A carriage, or why there is none.
 struct CarriagePlan
 {
-    CarriageFailure failure = CarriageFailure::None;
-    std::vector<CarrierPose> way;  ///< from the start to the goal, certified
-    int states = 0;                ///< that were looked at
+    CarriageFailure failure = CarriageFailure::None;  ///< none: the way is whole
+    std::vector<CarrierPose> way;                     ///< from the start to the goal, certified
+    int states = 0;                                   ///< that were looked at
 };
 
 /// The carriage that arrives first among those of a lattice of places, headings and times around the goal: steps to the

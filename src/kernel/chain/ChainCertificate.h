@@ -34,6 +34,7 @@ enum class ChainFailure
 /// "chord_clearance" and the like.
 std::string toText(ChainFailure failure);
 
+/// How closely a path is looked at.
 struct CertificateOptions
 {
     double resolution = 1e-7;  ///< > 0, in link lengths: what is not decided over so short a stretch is a failure
@@ -43,13 +44,14 @@ struct CertificateOptions
 /// What is known of a chain that follows a path.
 struct ChainCertificate
 {
-    ChainFailure failure = ChainFailure::None;
-    double place = 0.0;          ///< s of the front end of the link that fails, or of the joint
-    double clearance = 0.0;      ///< least distance of any chord that was looked at from obstacles
-    double largestAngle = 0.0;   ///< bend of any joint that was looked at
+    ChainFailure failure = ChainFailure::None;  ///< none: proven
+    double place = 0.0;                         ///< s of the front end of the link that fails, or of the joint
+    double clearance = 0.0;                     ///< least distance of any chord that was looked at from obstacles
+    double largestAngle = 0.0;                  ///< bend of any joint that was looked at
     double amplification = 0.0;  ///< greatest speed of a joint over that of the tip: a reading, not a bound
     int chords = 0;              ///< how many were looked at
 
+    /// Whether the chain can follow the path.
     explicit operator bool() const { return failure == ChainFailure::None; }
 };
 

@@ -13,11 +13,11 @@ namespace narrows
 template <int D>
 struct ChainMotion
 {
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< a place in the plane or in space
 
-    std::vector<Point> begin;
+    std::vector<Point> begin;   ///< of each centre: its place at t = 0
     std::vector<Point> middle;  ///< at t = 1/2
-    std::vector<Point> end;
+    std::vector<Point> end;     ///< at t = 1
     /// Of each centre: the distance, at any t, from the parabola through the three places above, at most. Rises along
     /// the chain.
     std::vector<double> remainder;

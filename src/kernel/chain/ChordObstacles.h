@@ -31,16 +31,18 @@ template <int D>
 class ChordObstacles
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
-    using Obstacle = std::conditional_t<D == 2, PlanarObstacle, SpatialObstacle>;
+    using Point = Eigen::Matrix<double, D, 1>;                                     ///< in the plane or in space
+    using Obstacle = std::conditional_t<D == 2, PlanarObstacle, SpatialObstacle>;  ///< of that dimension
 
     /// \throws std::invalid_argument for a mesh that MeshGeometry refuses
     explicit ChordObstacles(std::vector<Obstacle> obstacles);
     ~ChordObstacles();
+    /// Leaves the other without obstacles.
     ChordObstacles(ChordObstacles &&) noexcept;
+    /// Leaves the other without obstacles.
     ChordObstacles &operator=(ChordObstacles &&) noexcept;
 
-    const std::vector<Obstacle> &obstacles() const { return obstacles_; }
+    const std::vector<Obstacle> &obstacles() const { return obstacles_; }  ///< as they were given
 
     /// Adds the contact of every obstacle that is less than `room` (>= 0) from the segment ab, a != b.
     void contacts(const Point &a, const Point &b, double room, std::vector<ChordContact<D>> &found) const;
@@ -57,7 +59,7 @@ public:
 
     /// Box around all obstacles; sides may be infinitely far away. Empty (lower above upper) if there are none.
     const Point &lower() const { return lower_; }
-    const Point &upper() const { return upper_; }
+    const Point &upper() const { return upper_; }  ///< the other corner
 
 private:
     /// A leaf has one obstacle; an inner node has the next node and node `second` as its children.

@@ -7,6 +7,7 @@
 
 namespace narrows
 {
+/// How paths are bent until chains can follow them.
 struct RelaxationOptions
 {
     double spacing;  ///< > 0, of the path's nodes; a tenth to a twentieth of a corridor's width
@@ -16,13 +17,14 @@ struct RelaxationOptions
         0.15;               ///< in [0, 1], share of the way to the middle of its neighbours that a node takes per round
     int rounds = 400;       ///< >= 1
     double goalRoom = 0.0;  ///< >= 0, how far from the goal the path may end
-    CertificateOptions certificate = {};
+    CertificateOptions certificate = {};  ///< how closely the certificate looks
 };
 
 /// Options in proportion to the scene.
 /// \param width of the narrowest corridor, or what comes near it, > 0
 RelaxationOptions relaxationOptions(double width);
 
+/// A path that a chain can follow, or the best that was found.
 template <int D>
 struct RelaxedPath
 {

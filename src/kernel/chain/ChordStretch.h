@@ -9,23 +9,23 @@ namespace narrows
 template <int D>
 struct ChordStretch
 {
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< in the plane or in space
 
-    double begin;
-    double end;
-    Point front;        ///< P(s) in the middle
-    Point rear;         ///< P(g(s)) in the middle
-    double place;       ///< g(s) in the middle
-    bool continuous;    ///< g is certainly continuous over the stretch
-    double frontMoves;  ///< how far the chords' ends get from there, at most
-    double rearMoves;
+    double begin;         ///< of the stretch, in s
+    double end;           ///< of the stretch, in s
+    Point front;          ///< P(s) in the middle
+    Point rear;           ///< P(g(s)) in the middle
+    double place;         ///< g(s) in the middle
+    bool continuous;      ///< g is certainly continuous over the stretch
+    double frontMoves;    ///< how far the chords' ends get from there, at most
+    double rearMoves;     ///< the same of the rear ends
     double angle;         ///< bend of the joint at the rear, in the middle
     double angleMoves;    ///< how far it gets from there, at most
     double secondAtMost;  ///< g(g(s)) over the stretch
     double rate;          ///< |g'(s)| in the middle
 
-    double middle() const { return 0.5 * (begin + end); }
-    double half() const { return 0.5 * (end - begin); }
+    double middle() const { return 0.5 * (begin + end); }  ///< of the stretch, in s
+    double half() const { return 0.5 * (end - begin); }    ///< its length
     /// How far any point of the chord gets from where it is in the middle, at most.
     double moves() const { return std::max(frontMoves, rearMoves); }
 };

@@ -11,11 +11,12 @@ namespace narrows
 /// Directions from..to, radians; `to` may be beyond 2 pi or `from` below 0.
 struct LadderArc
 {
-    double from;
-    double to;
+    double from;  ///< radians
+    double to;    ///< radians, >= from
 
     /// Whether the closed arcs have a direction in common.
     bool meets(const LadderArc &other) const;
+    /// Whether a direction is one of them.
     bool contains(double angle) const { return meets({angle, angle}); }
 };
 
@@ -23,7 +24,7 @@ struct LadderArc
 class LadderArcs
 {
 public:
-    using Distance = std::function<double(const Eigen::Vector2d &)>;
+    using Distance = std::function<double(const Eigen::Vector2d &)>;  ///< from obstacles, of a point; negative inside
 
     /// \param square edge of the squares
     LadderArcs(const Distance &distance, double length, double radius, double square, double finestAngle)
@@ -33,7 +34,7 @@ public:
 
     /// All directions but those that are blocked for every place in the square around `center`, as disjoint arcs.
     std::vector<LadderArc> around(const Eigen::Vector2d &center);
-    long rays() const { return rays_; }
+    long rays() const { return rays_; }  ///< cast so far
 
 private:
     enum class Ray

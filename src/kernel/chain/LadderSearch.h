@@ -18,9 +18,10 @@ struct LadderTask
     double length = 0.0;        ///< of a link, > 0
     double radius = 0.0;        ///< >= 0, half-width of a link
     Eigen::Vector2d lower;      ///< joints between entrance and goal stay in this box, links need not
-    Eigen::Vector2d upper;
+    Eigen::Vector2d upper;      ///< the other corner
 };
 
+/// How finely rooms are cut.
 struct LadderSearchOptions
 {
     double spacing = 5.0;        ///< > 0, edge of the cells for the joint
@@ -41,12 +42,13 @@ enum class LadderVerdict
 /// "excluded" and the like.
 std::string toText(LadderVerdict verdict);
 
+/// What was proven, and what that cost.
 struct LadderSearch
 {
-    LadderVerdict verdict = LadderVerdict::Open;
-    long cells = 0;  ///< whose free directions were found
-    long nodes = 0;  ///< places of the joint with arcs of directions that were reached
-    long rays = 0;   ///< links that were looked at
+    LadderVerdict verdict = LadderVerdict::Open;  ///< what was proven
+    long cells = 0;                               ///< whose free directions were found
+    long nodes = 0;                               ///< places of the joint with arcs of directions that were reached
+    long rays = 0;                                ///< links that were looked at
 };
 
 /// Tries to prove that a link is too long for planar rooms, for any path of the joints: the other side of what a path

@@ -16,18 +16,18 @@ template <int D>
 class LeaderPath
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< in the plane or in space
 
     /// \param nodes at least two; neighbours that coincide are taken as one
     /// \param entrance direction in which the entrance line leads to the first node, not zero
     /// \throws std::invalid_argument if these are not met or a number is not finite
     LeaderPath(const PointPath<D> &nodes, const Point &entrance);
 
-    double length() const { return arcs_.back(); }
-    const PointPath<D> &nodes() const { return nodes_; }
+    double length() const { return arcs_.back(); }        ///< s of the last node
+    const PointPath<D> &nodes() const { return nodes_; }  ///< of neighbours that coincide only one
     /// Of every node: its s. Begins with 0, rises strictly.
     const std::vector<double> &arcs() const { return arcs_; }
-    const Point &entrance() const { return entrance_; }
+    const Point &entrance() const { return entrance_; }  ///< unit vector along the entrance line
 
     /// \param s at most length() (beyond it: the last node)
     Point at(double s) const;

@@ -11,7 +11,7 @@ template <int D>
 class NodePushes
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< in the plane or in space
 
     /// Begins a round. The path is referred to until the next one.
     /// \param endMoves whether its last node may
@@ -60,8 +60,8 @@ public:
     /// Where the last node may be.
     struct End
     {
-        Point middle;
-        double room;  ///< >= 0
+        Point middle;  ///< of the ball
+        double room;   ///< >= 0
     };
 
     /// \param factor of the mean displacement, which is then cut to `longest`

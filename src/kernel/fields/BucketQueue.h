@@ -24,6 +24,7 @@ public:
         ++size_;
     }
 
+    /// Whether nothing is left.
     bool empty() const { return size_ == 0; }
 
     /// \pre not empty

@@ -18,10 +18,10 @@ enum class CellSteps
 template <int D>
 struct CellStep
 {
-    Eigen::Matrix<int, D, 1> offset;
-    int jump;                  ///< the same as a difference of cells
-    double length;             ///< in units of length
-    std::vector<int> between;  ///< jumps to the cells that must be free too
+    Eigen::Matrix<int, D, 1> offset;  ///< in cells along the axes, each -1, 0 or 1
+    int jump;                         ///< the same as a difference of cells
+    double length;                    ///< in units of length
+    std::vector<int> between;         ///< jumps to the cells that must be free too
 };
 
 /// All steps of a kind from a cell inside the grid.

@@ -8,12 +8,13 @@
 
 namespace narrows
 {
+/// How many corridors, and which.
 struct CorridorClassOptions
 {
-    CorridorOptions corridor;
-    int count = 3;           ///< >= 1, how many at most
-    int searches = 12;       ///< >= count, how many searches at most
-    double surcharge = 4.0;  ///< > 1, what length costs more after each search, where it went
+    CorridorOptions corridor;  ///< how each is found
+    int count = 3;             ///< >= 1, how many at most
+    int searches = 12;         ///< >= count, how many searches at most
+    double surcharge = 4.0;    ///< > 1, what length costs more after each search, where it went
 };
 
 /// Ways to the goal that go different ways around things, one after the other. A planner may find that a chain fits
@@ -30,7 +31,7 @@ template <int D>
 class CorridorClasses
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< in the plane or in space
 
     /// Grid and clearance are referred to.
     /// \throws std::invalid_argument as findCorridor() does, and for a surcharge out of range

@@ -28,6 +28,7 @@ std::string toText(CorridorFailure failure);
 
 constexpr double dearestCorridor = 1e5;  ///< most that a unit of length costs, in units of one in the wide
 
+/// What a corridor is dear for.
 struct CorridorOptions
 {
     /// p >= 0: a unit of length costs (wide / clearance)^p, at most dearestCorridor, the mean of the step's two ends; 0
@@ -36,8 +37,8 @@ struct CorridorOptions
     /// > 0: clearance beyond which more is not better, in units of length. By default the greatest there is. A narrow
     /// value straightens the path in rooms that are wider than this.
     double wide = std::numeric_limits<double>::infinity();
-    CellSteps steps = CellSteps::All;
-    std::function<bool()> stop;  ///< asked every few thousand cells; may be empty
+    CellSteps steps = CellSteps::All;  ///< to neighbours: which
+    std::function<bool()> stop;        ///< asked every few thousand cells; may be empty
 };
 
 /// What a unit of length costs in the free cells of a grid. Refers to what it is made of.
@@ -45,6 +46,7 @@ template <int D>
 class CorridorCost
 {
 public:
+    /// \param clearance of every cell, as findCorridor() takes it
     CorridorCost(const VoxelGrid<D> &grid, const std::vector<float> &clearance, const CorridorOptions &options)
       : clearance_(clearance), preference_(options.preference)
     {
@@ -74,11 +76,11 @@ private:
 template <int D>
 struct Corridor
 {
-    CorridorFailure failure = CorridorFailure::None;
-    std::vector<int> cells;                         ///< from the start's to the goal's
-    std::vector<Eigen::Matrix<double, D, 1>> path;  ///< start, centers of the cells between, goal
-    double cost = 0.0;
-    double clearance = 0.0;  ///< the least of the field over the cells
+    CorridorFailure failure = CorridorFailure::None;  ///< none: the path is whole
+    std::vector<int> cells;                           ///< from the start's to the goal's
+    std::vector<Eigen::Matrix<double, D, 1>> path;    ///< start, centers of the cells between, goal
+    double cost = 0.0;                                ///< of the path
+    double clearance = 0.0;                           ///< the least of the field over the cells
 };
 
 /// The path of least cost, exactly, by Dijkstra's algorithm. Deterministic.

@@ -23,10 +23,11 @@ enum class StreamlineFailure
 /// "stalled" and the like.
 std::string toText(StreamlineFailure failure);
 
+/// A way down the field, or as far as it went.
 template <int D>
 struct Streamline
 {
-    StreamlineFailure failure = StreamlineFailure::None;
+    StreamlineFailure failure = StreamlineFailure::None;  ///< none: it has arrived
     PointPath<D> path;  ///< from the start; the goal is its last point if there is no failure
 };
 
@@ -36,7 +37,7 @@ template <int D>
 class FieldSample
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< in the plane or in space
 
     /// \param phi of every cell; beyond the grid it is infinite. Both are referred to.
     FieldSample(const VoxelGrid<D> &grid, const std::vector<double> &phi) : grid_(grid), phi_(phi) {}

@@ -16,9 +16,10 @@ namespace narrows
 class HomotopyWords
 {
 public:
+    /// \param grid solids are its occupied cells
     explicit HomotopyWords(const VoxelGrid<2> &grid);
 
-    int islands() const { return islands_; }
+    int islands() const { return islands_; }  ///< solids that do not touch the border
 
     /// Letters i + 1 for ray i crossed to the right, -(i + 1) for one crossed to the left.
     /// \param cells each a side or a corner away from the one before, no corner of an occupied cell cut

@@ -28,7 +28,7 @@ std::string toText(LaplaceFailure failure);
 /// phi = -ln v: v itself falls by e^(-pi) per width of a planar corridor, u is 1 to the last digit after a dozen.
 struct LaplaceField
 {
-    LaplaceFailure failure = LaplaceFailure::None;
+    LaplaceFailure failure = LaplaceFailure::None;  ///< none: the field is whole
     /// Of every cell: 0 at the goal, infinity in occupied cells and in those without a way to the goal.
     std::vector<double> phi;
     /// Greatest |v - mean| / v over the cells connected with the goal, as the solver saw it; 0 from a factorization,
@@ -55,6 +55,7 @@ public:
     /// Entries of the factor off its diagonal.
     std::size_t factorSize() const { return rows_.size(); }
 
+    /// \param goal a point in a free cell
     LaplaceField solve(const Eigen::Matrix<double, D, 1> &goal) const;
 
 private:

@@ -5,6 +5,7 @@
 
 namespace narrows
 {
+/// When the sweeps end.
 struct LaplaceSweepOptions
 {
     double tolerance = 1e-3;  ///< > 0, for LaplaceField::residual

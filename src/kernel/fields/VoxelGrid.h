@@ -33,8 +33,8 @@ template <int D>
 class VoxelGrid
 {
 public:
-    using Point = Eigen::Matrix<double, D, 1>;
-    using Index = Eigen::Matrix<int, D, 1>;
+    using Point = Eigen::Matrix<double, D, 1>;  ///< in the plane or in space
+    using Index = Eigen::Matrix<int, D, 1>;     ///< of a cell along every axis, from 0
 
     struct Result;
 
@@ -43,20 +43,22 @@ public:
     /// \param maxCells at most 2^31 - 1
     static Result make(const Point &lower, const Point &upper, double spacing, std::int64_t maxCells = 100'000'000);
 
-    int cells() const { return static_cast<int>(occupied_.size()); }
-    const Index &counts() const { return counts_; }
-    const Point &lower() const { return lower_; }
-    Point upper() const { return lower_ + spacing_ * counts_.template cast<double>(); }
-    double spacing() const { return spacing_; }
+    int cells() const { return static_cast<int>(occupied_.size()); }  ///< how many, free and occupied
+    const Index &counts() const { return counts_; }                   ///< of cells along every axis
+    const Point &lower() const { return lower_; }                     ///< corner with the least coordinates
+    Point upper() const { return lower_ + spacing_ * counts_.template cast<double>(); }  ///< the opposite corner
+    double spacing() const { return spacing_; }                                          ///< side of a cell
     /// From one cell to the next one along an axis.
     int stride(int axis) const { return strides_[axis]; }
 
+    /// Whether there is such a cell.
     bool contains(const Index &index) const
     {
         return (index.array() >= 0).all() && (index.array() < counts_.array()).all();
     }
     /// Linear: of a difference of indices it is the difference of the cells.
     int cell(const Index &index) const { return index.dot(strides_); }
+    /// \param cell from 0, below cells()
     Index index(int cell) const
     {
         Index result;
@@ -67,11 +69,12 @@ public:
         }
         return result;
     }
+    /// Of a cell, also of one beyond the grid.
     Point center(const Index &index) const
     {
         return (lower_.array() + spacing_ * (index.template cast<double>().array() + 0.5)).matrix();
     }
-    Point center(int cell) const { return center(index(cell)); }
+    Point center(int cell) const { return center(index(cell)); }  ///< of a cell of the grid
     /// The cell around a point, -1 beyond the grid. A point between cells belongs to the upper one.
     int cellAround(const Point &point) const
     {
@@ -81,10 +84,12 @@ public:
         return cell(Index(place.array().floor().template cast<int>()));
     }
 
-    bool occupied(int cell) const { return occupied_[cell] != 0; }
+    bool occupied(int cell) const { return occupied_[cell] != 0; }  ///< whether the cell is
+    /// Beyond the grid nothing is free.
     bool free(const Index &index) const { return contains(index) && !occupied(cell(index)); }
-    void occupy(int cell) { occupied_[cell] = 1; }
-    void clear() { std::fill(occupied_.begin(), occupied_.end(), char{0}); }
+    void occupy(int cell) { occupied_[cell] = 1; }                            ///< the cell
+    void clear() { std::fill(occupied_.begin(), occupied_.end(), char{0}); }  ///< all cells
+    /// How many are not occupied.
     int freeCells() const { return static_cast<int>(std::count(occupied_.begin(), occupied_.end(), char{0})); }
 
     /// Occupies every cell whose center is at most `room` from an obstacle. Looks at whole blocks first, so that the
@@ -132,11 +137,12 @@ private:
     std::vector<char> occupied_;
 };
 
+/// A grid, or why there is none.
 template <int D>
 struct VoxelGrid<D>::Result
 {
-    GridFailure failure = GridFailure::None;
-    VoxelGrid grid;  ///< without cells if there is a failure
+    GridFailure failure = GridFailure::None;  ///< none: the grid is whole
+    VoxelGrid grid;                           ///< without cells if there is a failure
 };
 
 extern template class VoxelGrid<2>;

@@ -13,10 +13,12 @@ namespace narrows
 class BranchScaling
 {
 public:
-    static constexpr std::size_t mostChains = 4096;
+    static constexpr std::size_t mostChains = 4096;  ///< that are kept per tip
 
+    /// Refers to both, which must outlive it.
     BranchScaling(const ScalingProblem &problem, const ScalingOptions &options);
 
+    /// A pose for every tip, up to the first that cannot be had.
     ScalingResult run(const std::vector<Eigen::Vector3d> &tips);
 
 private:

@@ -16,6 +16,7 @@ namespace narrows
 class ChainEasing
 {
 public:
+    /// Refers to both, which must outlive it.
     ChainEasing(const ScalingProblem &problem, const ScalingOptions &options);
 
     /// At most `options.easing` rounds over all links and joints; it may be in vain.

@@ -30,14 +30,15 @@ public:
     /// finite (the span may be infinite)
     ConvexSection(std::vector<Eigen::Vector2d> corners, double radius, Interval span = everywhere());
 
+    /// The span without ends.
     static Interval everywhere()
     {
         return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
 
-    const std::vector<Eigen::Vector2d> &corners() const { return corners_; }
-    double radius() const { return radius_; }
-    const Interval &span() const { return span_; }
+    const std::vector<Eigen::Vector2d> &corners() const { return corners_; }  ///< counter-clockwise
+    double radius() const { return radius_; }                                 ///< by which the corners' hull is thicker
+    const Interval &span() const { return span_; }  ///< along the slide: where the section counts
     /// Centre of the corners' bounding box, a point of the section.
     const Eigen::Vector2d &center() const { return center_; }
 
@@ -45,6 +46,7 @@ public:
     double distance(const Eigen::Vector2d &point) const { return distance(point, point); }
     /// Distance of the segment ab, 0 if they meet.
     double distance(const Eigen::Vector2d &a, const Eigen::Vector2d &b) const;
+    /// Where the segment ab is nearest.
     Contact contact(const Eigen::Vector2d &a, const Eigen::Vector2d &b) const;
     /// Is the segment ab closer than `gap` > 0? Cheap where it is far.
     bool isCloser(const Eigen::Vector2d &a, const Eigen::Vector2d &b, double gap) const;

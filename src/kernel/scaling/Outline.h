@@ -34,7 +34,9 @@ double lengthOf(const std::vector<Eigen::Vector2d> &corners);
 /// Where a directed line is inside an outline, as shares of the way from a to b.
 struct Stretch
 {
-    double enters, leaves;
+    double enters;  ///< share of the way from a to b
+    double leaves;  ///< share of the way, > enters
+    /// Through which it does.
     std::size_t entryEdge = 0, exitEdge = 0;  ///< edge i goes from corner i to the one following
 };
 

@@ -16,22 +16,26 @@ enum class ScalingMode
     Taut            ///< along the taut string around the danger regions; each of its bends is a new zoom centre
 };
 
+/// How poses are chosen, and what they must keep.
 struct ScalingOptions
 {
-    ScalingMode mode = ScalingMode::Taut;
-    double margin = 0.0;          ///< what is closer to an obstacle is its danger region; at least the radius
-    std::vector<double> margins;  ///< per section, where they differ; empty: all as above
-    double maxJump = 0.0;         ///< largest way of a joint in the section plane from one tip to the next, > 0
-    int easing = 40;              ///< rounds in which poses that break a rule are eased (Taut)
-    SectionChain wrapping;        ///< joints of a pose whose way around the obstacles is to be kept (Taut); empty: none
+    ScalingMode mode = ScalingMode::Taut;  ///< the rule by which joint centres are chosen
+    double margin = 0.0;                   ///< what is closer to an obstacle is its danger region; at least the radius
+    std::vector<double> margins;           ///< per section, where they differ; empty: all as above
+    double maxJump = 0.0;   ///< largest way of a joint in the section plane from one tip to the next, > 0
+    int easing = 40;        ///< rounds in which poses that break a rule are eased (Taut)
+    SectionChain wrapping;  ///< joints of a pose whose way around the obstacles is to be kept (Taut); empty: none
     /// Per section: tips may be in its danger region, as they are beyond it along the slide (Taut); empty: none.
     std::vector<bool> behind;
     /// Tips at the beginning that cannot be had are left out (not by Branch, nor at crossbars).
     bool lateStart = false;
     std::function<bool()> interrupt;  ///< asked now and then, if set; true ends the work
 
+    /// Whether the work shall end.
     bool isInterrupted() const { return interrupt && interrupt(); }
+    /// Whether tips may be in the danger region of the section.
     bool isBehind(std::size_t section) const { return !behind.empty() && behind[section]; }
+    /// Of a section: its own, or that of all.
     double marginOf(std::size_t section) const { return margins.empty() ? margin : margins[section]; }
 };
 
@@ -43,7 +47,8 @@ struct ScalingResult
     std::size_t stride = 0;                ///< n + 1
     ScalingFault fault;                    ///< of the pose after the last; no failure: all are there, or interrupted
 
-    std::size_t poses() const { return stride == 0 ? 0 : centres.size() / stride; }
+    std::size_t poses() const { return stride == 0 ? 0 : centres.size() / stride; }  ///< how many there are
+    /// Joint centres of a pose, `stride` of them.
     const Eigen::Vector3d *pose(std::size_t index) const { return centres.data() + index * stride; }
 };
 

@@ -10,10 +10,12 @@ namespace narrows
 class AuxiliaryLines
 {
 public:
+    /// Refers to both, which must outlive it.
     AuxiliaryLines(const ScalingProblem &problem, const ScalingOptions &options) : problem_(problem), options_(options)
     {
     }
 
+    /// Whether the point lies in a danger region.
     bool isDangerous(const Eigen::Vector2d &point) const;
 
     /// Where P_i may be if it is to be at `point`: there, or the hits that are inside no other region.
@@ -32,6 +34,7 @@ private:
 class PlainScaling final : public SectionScaling
 {
 public:
+    /// Refers to both, which must outlive it.
     PlainScaling(const ScalingProblem &problem, const ScalingOptions &options);
 
     ScalingFault place(const Eigen::Vector2d &tip, SectionChain &chain) override;

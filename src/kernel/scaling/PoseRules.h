@@ -9,6 +9,7 @@ namespace narrows
 class PoseRules
 {
 public:
+    /// Refers to it: it must outlive the rules.
     explicit PoseRules(const ScalingProblem &problem);
 
     /// Joint centres O_1 .. O_{n+1} over their projections, from the tip's x down (Eq. 7).
@@ -19,6 +20,7 @@ public:
     /// Slide, link angles and clearances of a lifted pose, in this order, from the base on.
     ScalingFault check(const Eigen::Vector3d *centres) const;
 
+    /// \param lengths product of both lengths. Whether the joint between two links turns further than it may.
     bool isBent(const Eigen::Vector3d &before, const Eigen::Vector3d &link, double lengths) const
     {
         return before.dot(link) < cosine_ * lengths;

@@ -31,11 +31,11 @@ struct ScalingProblem
     double maxAngle = 0.0;                               ///< largest link angle psi, >= 0; infinity without a limit
     Interval slide = ConvexSection::everywhere();        ///< permitted x_0
     Eigen::Vector3d forward = Eigen::Vector3d::UnitX();  ///< where link 1 points when psi_1 = 0; unit
-    std::vector<ConvexSection> sections;
-    std::vector<Crossbar> crossbars;
+    std::vector<ConvexSection> sections;                 ///< of obstacles along the slide
+    std::vector<Crossbar> crossbars;                     ///< obstacles across it
 
-    std::size_t links() const { return lengths.size(); }
-    double reach() const;
+    std::size_t links() const { return lengths.size(); }  ///< of the chain, without the slide
+    double reach() const;                                 ///< the sum of the links' lengths
     /// k_{i,n+1} = (L_1 + .. + L_{i-1}) / (L_1 + .. + L_n) for i = 1 .. n+1 (Eq. 5).
     std::vector<double> fractions() const;
 };
@@ -68,10 +68,11 @@ std::string toText(ScalingFailure failure);
 /// Why and where scaling failed.
 struct ScalingFault
 {
-    ScalingFailure failure = ScalingFailure::None;
+    ScalingFailure failure = ScalingFailure::None;  ///< none: nothing failed
     int link = -1;     ///< index of the link or, for NoCandidate and Jump, of the joint centre; -1: about none
     int section = -1;  ///< index of the obstacle's section; -1: about none
 
+    /// Whether something failed.
     explicit operator bool() const { return failure != ScalingFailure::None; }
 };
 }  // namespace narrows

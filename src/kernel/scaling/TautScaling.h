@@ -20,11 +20,12 @@ namespace narrows
 class TautScaling final : public SectionScaling
 {
 public:
+    /// Refers to both, which must outlive it.
     TautScaling(const ScalingProblem &problem, const ScalingOptions &options);
 
     ScalingFault place(const Eigen::Vector2d &tip, SectionChain &chain) override;
 
-    const TautString &string() const { return string_; }
+    const TautString &string() const { return string_; }  ///< as the last pose left it
 
 private:
     std::optional<std::size_t> blockedBy(const Eigen::Vector2d &tip) const;

@@ -18,9 +18,9 @@ public:
     /// A corner that the string bends around.
     struct Contact
     {
-        Eigen::Vector2d point;
-        std::size_t polygon;
-        int side;  ///< 1: the string turns to the left there, -1: to the right
+        Eigen::Vector2d point;  ///< the corner
+        std::size_t polygon;    ///< index of the polygon that it is of
+        int side;               ///< 1: the string turns to the left there, -1: to the right
     };
 
     /// The tip begins at the anchor.
@@ -32,11 +32,11 @@ public:
     /// \pre that line enters no polygon; else the string may pass through polygons afterwards
     void moveTip(const Eigen::Vector2d &to);
 
-    const Eigen::Vector2d &anchor() const { return anchor_; }
-    const Eigen::Vector2d &tip() const { return tip_; }
+    const Eigen::Vector2d &anchor() const { return anchor_; }  ///< where the string is held
+    const Eigen::Vector2d &tip() const { return tip_; }        ///< its other end
     /// From the anchor to the tip.
     const std::vector<Contact> &contacts() const { return contacts_; }
-    double length() const;
+    double length() const;  ///< of the string
 
     /// The points at these fractions of the length of the string and a straight way on from its tip to `end`.
     /// \param fractions ascending, in [0, 1]

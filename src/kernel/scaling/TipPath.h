@@ -20,8 +20,8 @@ void appendLeg(const std::vector<Eigen::Vector2d> &corners, double endX, double 
 /// enter it.
 struct PathEntry
 {
-    std::size_t segment;  ///< the entry is between the points segment and segment + 1
-    Eigen::Vector2d point;
+    std::size_t segment;    ///< the entry is between the points segment and segment + 1
+    Eigen::Vector2d point;  ///< of the entry
 };
 
 /// "Shortest distance": the point of the path nearest to the tip.

@@ -19,8 +19,10 @@ namespace narrows
 class TopViewScaling
 {
 public:
+    /// Refers to both, which must outlive it.
     TopViewScaling(const ScalingProblem &problem, const ScalingOptions &options);
 
+    /// A pose for every tip, up to the first that cannot be had.
     ScalingResult run(const std::vector<Eigen::Vector3d> &tips);
 
 private:

@@ -10,10 +10,10 @@ namespace narrows
 /// dimensions that holds start and goal often beats searching all of joint space.
 struct AffineSlices
 {
-    Eigen::VectorXd origin;
-    Eigen::MatrixXd basis;  ///< orthonormal columns
+    Eigen::VectorXd origin;  ///< the start
+    Eigen::MatrixXd basis;   ///< orthonormal columns
 
-    int dimensions() const { return static_cast<int>(basis.cols()); }
+    int dimensions() const { return static_cast<int>(basis.cols()); }  ///< of the largest slice
     /// Coordinates of the nearest point of the largest slice.
     Eigen::VectorXd coordinates(const Eigen::VectorXd &q) const { return basis.transpose() * (q - origin); }
     /// \param coordinates of a slice of as many dimensions; no more than dimensions()

@@ -11,7 +11,7 @@ namespace narrows
 class CentredStep
 {
 public:
-    using Configuration = GapEquations::Configuration;
+    using Configuration = GapEquations::Configuration;  ///< of the arm: joints as it counts them
 
     /// \pre the equations outlive this
     explicit CentredStep(const GapEquations &equations) : equations_(&equations) {}
@@ -30,7 +30,7 @@ public:
     /// `corrections` steps; `result` is then where it ended
     bool reach(const Configuration &offset, Eigen::VectorXd &result);
 
-    static constexpr int corrections = 8;
+    static constexpr int corrections = 8;  ///< of Newton's method, at most
 
 private:
     /// F and an orthonormal basis of the rows of its derivative.

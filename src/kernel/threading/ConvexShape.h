@@ -13,13 +13,16 @@ namespace narrows
 class ConvexShape
 {
 public:
+    /// \pre radius > 0
     explicit ConvexShape(const Circle &circle);
+    /// \pre extents > 0, exponent > 1
     explicit ConvexShape(const Superellipse &superellipse);
     /// \pre the polygon is convex
     explicit ConvexShape(const Polygon &polygon);
 
     /// A point of the shape that lies furthest in a direction; `direction` need not be a unit vector.
     Eigen::Vector2d support(const Eigen::Vector2d &direction) const;
+    /// The border is part of it.
     bool contains(const Eigen::Vector2d &point) const;
     /// Axis-parallel box around it.
     const Bounds &box() const { return box_; }
@@ -35,7 +38,8 @@ std::vector<ConvexShape> convexShapes(const std::vector<PlanarObstacle> &obstacl
 /// Where two convex shapes are nearest to each other.
 struct NearestPoints
 {
-    Eigen::Vector2d first, second;
+    Eigen::Vector2d first;      ///< point of the first shape
+    Eigen::Vector2d second;     ///< of the second
     Eigen::Vector2d direction;  ///< unit vector from the first shape to the second
     double distance;            ///< not positive: the shapes meet, and the points mean nothing
 };

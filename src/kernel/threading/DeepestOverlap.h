@@ -17,8 +17,10 @@ namespace narrows
 class DeepestOverlap : public Overlap
 {
 public:
+    /// Refers to nothing: obstacles and arm are copied.
     explicit DeepestOverlap(const PlanarModel &model);
 
+    /// Of all links and obstacles; as far as obstacle functions tell depth.
     double deepest(ConfigurationRef q, Eigen::VectorXd &gradient) override;
     /// Without an obstacle function: polygons clip links.
     bool isMet(ConfigurationRef q) override { return firstMet(q, 0) >= 0; }

@@ -10,8 +10,8 @@ namespace narrows
 /// A link that crosses a gap.
 struct GapCrossing
 {
-    int link;
-    int gap;
+    int link;     ///< index of the link that crosses
+    int gap;      ///< index of the gap, below gapCount()
     bool square;  ///< the link shall also stand square to the gap's axis
 };
 
@@ -21,11 +21,11 @@ struct GapCrossing
 class GapEquations
 {
 public:
-    using Configuration = Eigen::Ref<const Eigen::VectorXd>;
+    using Configuration = Eigen::Ref<const Eigen::VectorXd>;  ///< of the arm: joints as it counts them
 
     virtual ~GapEquations() = default;
 
-    virtual int gapCount() const = 0;
+    virtual int gapCount() const = 0;  ///< how many gaps there are
     /// Half the room that the link has across the gap, which may move with the arm.
     virtual double halfWidth(const Configuration &q, const GapCrossing &crossing) const = 0;
     /// How far off its middle, along the link, what makes the gap narrow still does; > 0.

@@ -20,6 +20,7 @@ public:
     /// \param widest half width, less the links' radius, from which on gaps are left out; > 0
     LinkGaps(const PlanarArm &arm, std::shared_ptr<const GapEquations> fixed, double widest);
 
+    /// Those that stand still first, then those between links.
     int gapCount() const override { return fixed_->gapCount() + static_cast<int>(pairs_.size()); }
     double halfWidth(const Configuration &q, const GapCrossing &crossing) const override;
     /// Of gaps between links the links' radius, but a quarter of the shorter one's length at least.

@@ -26,9 +26,10 @@ bool crossesGap(const Eigen::Vector2d &base, const Eigen::Vector2d &tip, const G
 class MidGap : public GapEquations
 {
 public:
+    /// \param gaps as findGaps() finds them
     MidGap(const PlanarArm &arm, std::vector<Gap> gaps);
 
-    const std::vector<Gap> &gaps() const { return gaps_; }
+    const std::vector<Gap> &gaps() const { return gaps_; }  ///< as they were given
 
     /// Which links cross which gaps (crossesGap(), sizes up to half the longest link). All are square.
     /// \param points as PlanarArm::place yields them
@@ -40,9 +41,9 @@ public:
     void evaluate(const std::vector<Eigen::Vector2d> &points, const std::vector<GapCrossing> &crossings,
                   Eigen::VectorXd &values, Eigen::MatrixXd &transposedJacobian) const;
 
-    const PlanarArm &arm() const { return arm_; }
+    const PlanarArm &arm() const { return arm_; }  ///< the arm that threads them
 
-    int gapCount() const override { return static_cast<int>(gaps_.size()); }
+    int gapCount() const override { return static_cast<int>(gaps_.size()); }  ///< as many as gaps()
     double halfWidth(const Configuration &, const GapCrossing &crossing) const override
     {
         return gapOf(crossing).halfWidth;

@@ -28,7 +28,7 @@ public:
     virtual int firstMet(const Eigen::Ref<const Eigen::VectorXd> &q, int /*joint*/) { return isMet(q) ? 0 : -1; }
 
     /// Whether a link overlaps an obstacle at one of the configurations q + (i / parts) delta, 0 < i < parts, the
-    /// middle first. Where that is not much cheaper than to certify the motion, none is looked at. \param parts 1, 2, 4
+    /// middle first. Where that is not much cheaper than to certify the motion, none is looked at. Parts are 1, 2, 4
     /// or 8
     virtual bool isMetBetween(const Eigen::Ref<const Eigen::VectorXd> & /*q*/,
                               const Eigen::Ref<const Eigen::VectorXd> & /*delta*/, int /*parts*/)

@@ -19,13 +19,14 @@ namespace narrows
 class SpatialMidGap : public GapEquations
 {
 public:
+    /// \param gaps as findGaps() finds them
     SpatialMidGap(const SpatialArm &arm, std::vector<SpatialGap> gaps);
     /// Of all gaps between the model's obstacles that leave the thinnest link at most twice `widest`.
     SpatialMidGap(const SpatialModel &model, double widest);
 
-    const std::vector<SpatialGap> &gaps() const { return gaps_; }
+    const std::vector<SpatialGap> &gaps() const { return gaps_; }  ///< as they were given or found
 
-    int gapCount() const override { return static_cast<int>(gaps_.size()); }
+    int gapCount() const override { return static_cast<int>(gaps_.size()); }  ///< as many as gaps()
     double halfWidth(const Configuration &, const GapCrossing &crossing) const override { return roomOf(crossing); }
     /// A quarter of the link's length at least: walls may be thinner than links need guidance.
     double size(const GapCrossing &crossing) const override;

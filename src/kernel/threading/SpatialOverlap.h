@@ -14,6 +14,7 @@ namespace narrows
 class SpatialOverlap : public Overlap
 {
 public:
+    /// Refers to nothing: obstacles and arm are copied.
     explicit SpatialOverlap(const SpatialModel &model);
 
     double deepest(const Eigen::Ref<const Eigen::VectorXd> &q, Eigen::VectorXd &gradient) override;

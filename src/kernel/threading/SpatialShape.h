@@ -15,21 +15,22 @@ namespace narrows
 class SpatialShape
 {
 public:
-    using Convex = std::variant<Sphere, Capsule, Cylinder, Box, Prism>;
-    using Edge = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
+    using Convex = std::variant<Sphere, Capsule, Cylinder, Box, Prism>;  ///< shapes that are convex
+    using Edge = std::pair<Eigen::Vector3d, Eigen::Vector3d>;            ///< its two ends
 
     /// \param far > 0: endless shapes end so far from their center
     SpatialShape(const Convex &convex, double far);
 
     /// How the segment ab lies to it.
     Nearness nearest(const Eigen::Vector3d &a, const Eigen::Vector3d &b) const;
+    /// The border is part of it.
     bool contains(const Eigen::Vector3d &point) const { return nearest(point, point).distance <= 0.0; }
-    const SpatialBounds &box() const { return box_; }
+    const SpatialBounds &box() const { return box_; }  ///< axis-parallel box around it
 
     /// Segments, points among them; all within edgeRadius() of them belongs to the shape. Of spheres and capsules that
     /// is all; of boxes and prisms they are the edges, of cylinders the axis.
     const std::vector<Edge> &edges() const { return edges_; }
-    double edgeRadius() const { return edgeRadius_; }
+    double edgeRadius() const { return edgeRadius_; }  ///< of the ball around edges; 0 for sharp ones
     /// Whether it is round, but no ball around its edges: a cylinder.
     bool isCylinder() const { return std::holds_alternative<Cylinder>(convex_); }
 
@@ -55,7 +56,8 @@ private:
 /// Where two convex shapes are nearest to each other.
 struct SpatialNearestPoints
 {
-    Eigen::Vector3d first, second;
+    Eigen::Vector3d first;      ///< point of the first shape
+    Eigen::Vector3d second;     ///< of the second
     Eigen::Vector3d direction;  ///< unit vector from the first shape to the second
     double distance;            ///< not positive: the shapes meet, and the rest means nothing
 };

@@ -13,11 +13,13 @@ namespace narrows
 /// somewhere in the span (a quotient by zero) becomes the whole line, never NaN.
 struct Enclosure
 {
-    double lower;
-    double upper;
+    double lower;  ///< end of the span; may be minus infinity
+    double upper;  ///< end of the span; may be infinity
 
     Enclosure() : Enclosure(0.0) {}
-    Enclosure(double value) : Enclosure(value, value) {}  // numbers are spans of width zero
+    /// A number is a span of width zero.
+    Enclosure(double value) : Enclosure(value, value) {}
+    /// From one end to the other; NaN for an end means the whole line.
     Enclosure(double from, double to) : lower(from), upper(to)
     {
         if (std::isnan(from) || std::isnan(to))
@@ -27,11 +29,11 @@ struct Enclosure
         }
     }
 
-    double magnitude() const { return std::max(-lower, upper); }
+    double magnitude() const { return std::max(-lower, upper); }  ///< the greatest absolute value
+    /// Whether the quantity may vanish.
     bool hasZero() const { return lower <= 0.0 && upper >= 0.0; }
 };
 
-/// @name Arithmetic
 /// All values that the result takes while the operands take theirs, each for itself.
 ///@{
 inline Enclosure operator-(const Enclosure &a)

@@ -13,7 +13,7 @@ struct JerkLimitedMove
     double steadyTime;  ///< of each of the two with constant acceleration; 0 if its limit is not reached
     double cruiseTime;  ///< at constant velocity; 0 if its limit is not reached
 
-    double duration() const { return 4.0 * jerkTime + 2.0 * steadyTime + cruiseTime; }
+    double duration() const { return 4.0 * jerkTime + 2.0 * steadyTime + cruiseTime; }  ///< of all phases
 };
 
 /// \param distance > 0

@@ -24,10 +24,12 @@ public:
 /// Least and largest value of a derivative, and where.
 struct Extremes
 {
-    double lowest, lowestAt;
-    double highest, highestAt;
+    double lowest;     ///< least value
+    double lowestAt;   ///< when
+    double highest;    ///< greatest value
+    double highestAt;  ///< when
 
-    double magnitude() const { return std::max(-lowest, highest); }
+    double magnitude() const { return std::max(-lowest, highest); }  ///< the greatest absolute value
 };
 
 /// Of position, velocity, acceleration and jerk. The values are attained at the times given; nothing lies further out
@@ -41,8 +43,11 @@ MotionPeaks motionPeaks(const PiecewiseMotion &motion, double tolerance = 1e-9);
 /// Of velocity, acceleration and jerk; each > 0 and finite.
 struct MotionLimits
 {
-    double velocity, acceleration, jerk;
+    double velocity;      ///< units of the joint per s
+    double acceleration;  ///< per s^2
+    double jerk;          ///< per s^3
 
+    /// Whether all are positive and finite.
     bool valid() const;
 };
 

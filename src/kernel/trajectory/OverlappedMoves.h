@@ -30,7 +30,7 @@ public:
     /// Fails with BadCount, NotFinite, BadLimit, NoMotion (no two vertices differ) or BadTime (more than 1e6).
     static OrFailure<OverlappedMoves> along(const Eigen::MatrixXd &vertices, const std::vector<MotionLimits> &limits);
 
-    Eigen::Index segments() const { return vertices_.cols() - 1; }
+    Eigen::Index segments() const { return vertices_.cols() - 1; }  ///< between vertices
     /// Distinct ones.
     const Eigen::MatrixXd &vertices() const { return vertices_; }
     /// No overlaps, no slowness.

@@ -11,6 +11,7 @@ namespace narrows
 class PolynomialTrajectory : public JointTrajectory
 {
 public:
+    /// Between two knots one polynomial per joint.
     struct Piece
     {
         double duration;               ///< > 0
@@ -26,7 +27,7 @@ public:
     void at(double t, States &state) const override;
     std::unique_ptr<PiecewiseMotion> joint(Eigen::Index index) const override;
 
-    const std::vector<Piece> &pieces() const { return pieces_; }
+    const std::vector<Piece> &pieces() const { return pieces_; }  ///< one after the other
     /// Where pieces begin, and the end.
     const std::vector<double> &knots() const { return knots_; }
 

@@ -12,8 +12,9 @@ namespace narrows
 /// Part of a way over time: column k multiplies (time since the piece began)^k.
 struct WayPiece
 {
+    /// >= 0, in s.
     double duration;
-    Eigen::RowVectorXd coefficients;
+    Eigen::RowVectorXd coefficients;  ///< from the constant one on
 };
 
 /// From rest at 0 to rest at a distance.

@@ -14,9 +14,11 @@ namespace narrows
 /// \param duration T, in the paper's unit of time
 OrFailure<double> flatEnd(double n, double duration);
 
+/// What the paper leaves free of a term that ends at its goal.
 struct EndParameters
 {
-    double n, a;
+    double n;  ///< base of the powers, > 1
+    double a;  ///< the paper's a
 };
 
 /// Slope and curvature vanish iff, besides, ln n = 2 / (T - 1): unique, free of poles. The third derivative cannot

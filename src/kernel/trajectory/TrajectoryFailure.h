@@ -29,14 +29,19 @@ std::string toText(TrajectoryFailure failure);
 template <class Value>
 struct OrFailure
 {
+    /// There is a value.
     OrFailure(Value given) : value(std::move(given)) {}
+    /// There is none, for this reason.
     OrFailure(TrajectoryFailure reason) : failure(reason) {}
 
+    /// Whether there is a value.
     explicit operator bool() const { return value.has_value(); }
+    /// \pre there is a value
     const Value &operator*() const { return *value; }
+    /// \pre there is a value
     const Value *operator->() const { return &*value; }
 
-    TrajectoryFailure failure = TrajectoryFailure::None;
-    std::optional<Value> value;
+    TrajectoryFailure failure = TrajectoryFailure::None;  ///< none if there is a value
+    std::optional<Value> value;                           ///< empty if there is a failure
 };
 }  // namespace narrows

@@ -15,6 +15,7 @@ struct PaperLogs
 /// \param feedback S_v
 PaperLogs paperLogs(const ViaPointTask &task, const PaperParameters &parameters, double feedback);
 
+/// Where the fixed point went.
 struct IterationResult
 {
     double feedback;  ///< S_v

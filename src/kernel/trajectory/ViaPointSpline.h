@@ -26,6 +26,7 @@ public:
     /// Positions and derivatives up to Order (0 to 3), one column each; before the start and after the end at rest.
     template <int Order>
     using State = Eigen::Matrix<double, Eigen::Dynamic, Order + 1>;
+    /// Position and derivatives of every joint, column by column.
     template <int Order>
     void at(double t, State<Order> &state) const;
     void at(double t, States &state) const override { at<3>(t, state); }
@@ -33,7 +34,7 @@ public:
     Eigen::Index joints() const override { return levels_.rows(); }
     double duration() const override { return times_.back(); }
     std::unique_ptr<PiecewiseMotion> joint(Eigen::Index index) const override;
-    const std::vector<double> &times() const { return times_; }
+    const std::vector<double> &times() const { return times_; }  ///< of the vias, start and goal included
     /// S_k, one column each, from the start to the goal.
     const Eigen::MatrixXd &levels() const { return levels_; }
 

@@ -9,16 +9,21 @@ namespace narrows
 /// at `duration`.
 struct ViaPointTask
 {
-    double start, via, goal;   ///< the paper's q_0, theta_v and S_f, in any unit
-    double viaTime, duration;  ///< the paper's t_v and t_s: 0 < viaTime < duration
+    double start;     ///< the paper's q_0, in any unit
+    double via;       ///< theta_v
+    double goal;      ///< S_f
+    double viaTime;   ///< t_v, in (0, duration)
+    double duration;  ///< t_s
 };
 
 /// The paper's free parameters: n and a of the term that ends at the goal, n_v
 /// and a_v of the one that ends at the via.
 struct PaperParameters
 {
-    double n, a;
-    double nVia, aVia;
+    double n;     ///< of the term that ends at the goal
+    double a;     ///< of the same
+    double nVia;  ///< of the term that ends at the via
+    double aVia;  ///< of the same
 };
 
 /// A motion of one joint through one via point, in closed form:
@@ -60,7 +65,7 @@ public:
     /// Right limit minus left limit at the via, of position and derivatives.
     Series<3> viaJump() const;
 
-    const ViaPointTask &task() const { return task_; }
+    const ViaPointTask &task() const { return task_; }  ///< as it was given
     /// The share K of the goal's term that is done at the via.
     double viaShare() const { return goalShare_; }
     /// S_v: where the first term leads.
