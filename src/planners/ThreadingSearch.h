@@ -107,15 +107,19 @@ public:
         return static_cast<double>(counts_.centred) < leastGapShare * static_cast<double>(counts_.blocked);
     }
     /// Whether trees mostly go along gaps: several centred steps a sample.
-    bool isThreading() const { return counts_.centred > mostSlidesPerSample * counts_.samples; }
+    bool isThreading() const
+    {
+        return static_cast<double>(counts_.centred) > leastSlides * static_cast<double>(counts_.samples);
+    }
 
 private:
-    /// Part of the blocked steps that go on through a gap where gaps matter. Measured: four in five and more in tubes;
-    /// at most three in five in a horn and in mazes of long chains with openings that count as gaps; else none.
-    static constexpr double leastGapShare = 2.0 / 3.0;
-    /// Centred steps per sample from which on trees mostly go along gaps: six and more where two meet a chain of 32
-    /// links, up to two in the horn.
-    static constexpr std::uint64_t mostSlidesPerSample = 3;
+    /// Part of the blocked steps that go on through a gap where gaps matter. Measured when cells have their first turn:
+    /// two in three and more in tubes of two and three gaps; at most 0.57 in mazes of long chains with openings that
+    /// count as gaps, and 0.06 in the horn.
+    static constexpr double leastGapShare = 0.6;
+    /// Centred steps per sample from which on trees mostly go along gaps. After the first samples there are 1.8 and
+    /// more in tubes, at most 1.1 in mazes and the horn.
+    static constexpr double leastSlides = 1.5;
     /// Until so many steps have been blocked, motions are certified without looking at them first, and blocked steps
     /// not bent: in the open, the next sample costs less.
     static constexpr int openSteps = 3;

@@ -41,7 +41,7 @@ struct CorridorOptions
     std::function<bool()> stop;        ///< asked every few thousand cells; may be empty
 };
 
-/// What a unit of length costs in the free cells of a grid. Refers to what it is made of.
+/// What a unit of length costs in the free cells of a grid. Refers to the clearance.
 template <int D>
 class CorridorCost
 {

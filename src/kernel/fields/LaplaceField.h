@@ -55,7 +55,7 @@ public:
     /// Entries of the factor off its diagonal.
     std::size_t factorSize() const { return rows_.size(); }
 
-    /// \param goal a point in a free cell
+    /// For any point; where it lies may be the failure.
     LaplaceField solve(const Eigen::Matrix<double, D, 1> &goal) const;
 
 private:

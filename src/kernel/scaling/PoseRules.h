@@ -20,7 +20,8 @@ public:
     /// Slide, link angles and clearances of a lifted pose, in this order, from the base on.
     ScalingFault check(const Eigen::Vector3d *centres) const;
 
-    /// \param lengths product of both lengths. Whether the joint between two links turns further than it may.
+    /// Whether the joint between two links turns further than it may.
+    /// \param lengths the product of theirs
     bool isBent(const Eigen::Vector3d &before, const Eigen::Vector3d &link, double lengths) const
     {
         return before.dot(link) < cosine_ * lengths;

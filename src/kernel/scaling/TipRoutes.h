@@ -22,7 +22,8 @@ public:
     /// TipBlocked or Overlap, if a waypoint is inside a region or inside a hull of several; then there are no routes.
     const ScalingFault &fault() const { return fault_; }
     std::size_t legs() const { return waypoints_.empty() ? 0 : waypoints_.size() - 1; }  ///< between waypoints
-    /// Danger regions that legs run through, each to be passed on either side.
+    /// Danger regions in the way, over all legs in their order, each to be passed on either side; 0 if there is a
+    /// fault.
     std::size_t choices() const { return hits_.size(); }
     /// How much longer the way on the longer side is, roughly, for a choice.
     double detour(std::size_t choice) const { return hits_[choice].detour; }

@@ -15,14 +15,14 @@ class ConvexShape
 public:
     /// \pre radius > 0
     explicit ConvexShape(const Circle &circle);
-    /// \pre extents > 0, exponent > 1
+    /// \pre extents > 0, exponent >= 2
     explicit ConvexShape(const Superellipse &superellipse);
     /// \pre the polygon is convex
     explicit ConvexShape(const Polygon &polygon);
 
     /// A point of the shape that lies furthest in a direction; `direction` need not be a unit vector.
     Eigen::Vector2d support(const Eigen::Vector2d &direction) const;
-    /// The border is part of it.
+    /// The border of circles and superellipses is part of it, that of polygons in places.
     bool contains(const Eigen::Vector2d &point) const;
     /// Axis-parallel box around it.
     const Bounds &box() const { return box_; }
