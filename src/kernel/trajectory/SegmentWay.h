@@ -12,7 +12,7 @@ namespace narrows
 /// Part of a way over time: column k multiplies (time since the piece began)^k.
 struct WayPiece
 {
-    /// >= 0, in s.
+    /// Above 0, in s.
     double duration;
     Eigen::RowVectorXd coefficients;  ///< from the constant one on
 };
