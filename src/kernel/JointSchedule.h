@@ -26,7 +26,7 @@ struct JointSchedule
     /// The part of its way that a joint has gone at lambda, and its derivative.
     struct Progress
     {
-        double value;  ///< in [0, 1]
+        double value;  ///< 0 at lambda = 0, 1 at lambda = 1
         double rate;   ///< of change with lambda
     };
     /// \param joint index in the configuration
