@@ -6,6 +6,8 @@
 
 #include <malloc.h>
 
+#include "benchmark/AddressSanitizer.h"
+
 namespace
 {
 struct Counts
@@ -33,7 +35,7 @@ void takenBack(std::size_t size)
 }
 }  // namespace
 
-#ifdef __SANITIZE_ADDRESS__
+#if NARROWS_ADDRESS_SANITIZER
 
 extern "C"  // as in sanitizer/allocator_interface.h, which not every compiler brings along
 {

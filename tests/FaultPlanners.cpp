@@ -14,11 +14,12 @@
 #include <ompl/geometric/PathGeometric.h>
 #include <unistd.h>
 
+#include "benchmark/AddressSanitizer.h"
 #include "benchmark/Cores.h"
 #include "planners/PlannerFactory.h"
 #include "spaces/PlanarArmStateSpace.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#if NARROWS_ADDRESS_SANITIZER
 /// Bad accesses, which are meant here, end a process as they do without the sanitizer: by their signal.
 extern "C" const char *__asan_default_options()
 {
@@ -32,11 +33,7 @@ int faultSignal = -1;
 
 namespace
 {
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool underSanitizer = true;
-#else
-constexpr bool underSanitizer = false;
-#endif
+constexpr bool underSanitizer = NARROWS_ADDRESS_SANITIZER;
 
 /// Gets the problem and does its one thing in solve().
 class FaultPlanner : public ob::Planner

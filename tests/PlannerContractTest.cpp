@@ -10,8 +10,9 @@
 #include <ompl/util/Exception.h>
 
 #include "PlannerTrial.h"
+#include "benchmark/AddressSanitizer.h"
 
-#ifdef __SANITIZE_ADDRESS__
+#if NARROWS_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
 #endif
 
@@ -25,14 +26,14 @@ class LeakScope
 public:
     explicit LeakScope([[maybe_unused]] bool leaks)
     {
-#ifdef __SANITIZE_ADDRESS__
+#if NARROWS_ADDRESS_SANITIZER
         if (leaks)
             scope_ = std::make_unique<__lsan::ScopedDisabler>();
 #endif
     }
 
 private:
-#ifdef __SANITIZE_ADDRESS__
+#if NARROWS_ADDRESS_SANITIZER
     std::unique_ptr<__lsan::ScopedDisabler> scope_;
 #endif
 };

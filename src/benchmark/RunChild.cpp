@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "benchmark/AddressSanitizer.h"
 #include "benchmark/PreparedRun.h"
 #include "benchmark/ProcessUsage.h"
 
@@ -20,11 +21,7 @@ namespace narrows
 {
 namespace
 {
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool addressSpaceLimited = false;  // the sanitizer reserves terabytes of it
-#else
-constexpr bool addressSpaceLimited = true;
-#endif
+constexpr bool addressSpaceLimited = !NARROWS_ADDRESS_SANITIZER;  // which reserves terabytes of it
 
 using Resource = decltype(RLIMIT_AS);
 
