@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planners/IkPlanners.h"
 
-#include <stdexcept>
-
 #include "kernel/DampedTipSearch.h"
 #include "kernel/PostureWish.h"
 #include "planners/NloptTipSearch.h"
+#include "planners/Require.h"
 
 namespace narrows
 {
-namespace
-{
-void requireShare(const char *name, double value)
-{
-    if (!(value >= 0.0 && value <= 1.0))
-        throw std::invalid_argument(std::string(name) + " must be in [0, 1]");
-}
-
-void requireLength(const char *name, double value)
-{
-    if (!(value >= 0.0))
-        throw std::invalid_argument(std::string(name) + " must not be negative");
-}
-}  // namespace
-
 DampedFollower::DampedFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<const SpatialModel> model)
   : DampedFollower(si, std::move(model), "IkDls")
 {
@@ -38,9 +22,7 @@ DampedFollower::DampedFollower(const ob::SpaceInformationPtr &si, std::shared_pt
 
 void DampedFollower::setLambda(double lambda)
 {
-    if (!(lambda >= 1e-6 && lambda <= 1.0))
-        throw std::invalid_argument("lambda must be in [1e-6, 1]");
-    lambda_ = lambda;
+    lambda_ = within(1e-6, lambda, 1.0, "lambda");
 }
 
 std::unique_ptr<TipSearch> DampedFollower::makeSearch(const TipSearchTask &task) const
@@ -62,27 +44,22 @@ ProjectionFollower::ProjectionFollower(const ob::SpaceInformationPtr &si, std::s
 
 void ProjectionFollower::setNullSteps(int steps)
 {
-    if (steps < 1)
-        throw std::invalid_argument("null_steps must be positive");
-    nullSteps_ = steps;
+    nullSteps_ = within(1, steps, 100, "null_steps");
 }
 
 void ProjectionFollower::setBendGain(double gain)
 {
-    requireShare("bend_gain", gain);
-    bendGain_ = gain;
+    bendGain_ = within(0.0, gain, 1.0, "bend_gain");
 }
 
 void ProjectionFollower::setObstacleGain(double gain)
 {
-    requireShare("obstacle_gain", gain);
-    obstacleGain_ = gain;
+    obstacleGain_ = within(0.0, gain, 1.0, "obstacle_gain");
 }
 
 void ProjectionFollower::setInfluence(double distance)
 {
-    requireLength("influence", distance);
-    influence_ = distance;
+    influence_ = notNegative(distance, "influence");
 }
 
 std::unique_ptr<TipSearch> ProjectionFollower::makeSearch(const TipSearchTask &task) const
@@ -105,15 +82,12 @@ NloptFollower::NloptFollower(const ob::SpaceInformationPtr &si, std::shared_ptr<
 
 void NloptFollower::setAlgorithm(const std::string &algorithm)
 {
-    if (algorithm != "slsqp" && algorithm != "cobyla")
-        throw std::invalid_argument("algorithm must be slsqp or cobyla");
-    algorithm_ = algorithm;
+    algorithm_ = oneOf({"slsqp", "cobyla"}, algorithm, "algorithm");
 }
 
 void NloptFollower::setMargin(double margin)
 {
-    requireLength("margin", margin);
-    margin_ = margin;
+    margin_ = notNegative(margin, "margin");
 }
 
 std::unique_ptr<TipSearch> NloptFollower::makeSearch(const TipSearchTask &task) const

@@ -34,13 +34,6 @@ bool byName(const PlannerEntry &a, const PlannerEntry &b)
     return a.name < b.name;
 }
 
-/// Says of which robots a scenario must be, where the planner made for another would only ABORT.
-void requireFit(const std::string &name, const std::string &why)
-{
-    if (!why.empty())
-        throw std::invalid_argument(name + " is not for this robot: " + why);
-}
-
 PlannerEntry hppm()
 {
     PlannerEntry result;
@@ -78,9 +71,8 @@ PlannerEntry vdsm()
     {
         return VDSM::whyUnsupported(context.spatial.get());
     };
-    result.make = [unsupported = result.unsupported](const PlannerContext &context)
+    result.make = [](const PlannerContext &context)
     {
-        requireFit("vdsm", unsupported(context));
         return std::make_shared<VDSM>(context.si, context.spatial);
     };
     return result;
@@ -112,9 +104,8 @@ PlannerEntry tight()
     {
         return TightManeuvering::whyUnsupported(context.planar.get(), context.spatial.get());
     };
-    result.make = [unsupported = result.unsupported](const PlannerContext &context)
+    result.make = [](const PlannerContext &context)
     {
-        requireFit("tight", unsupported(context));
         return std::make_shared<TightManeuvering>(context.si, context.planar, context.spatial);
     };
     return result;
@@ -283,6 +274,9 @@ ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &contex
         throw std::invalid_argument("a planner needs a space");
     if (entry.usesModel && !context.repulsion)
         throw std::invalid_argument(name + " needs to know the robot and the obstacles");
+    const std::string unsupported = whyUnsupported(name, context);
+    if (!unsupported.empty())
+        throw std::invalid_argument(name + " is not for this problem: " + unsupported);
     const auto make = [make = entry.make, context = keepingPoles(context), name, parameters]
     {
         ob::PlannerPtr planner = make(context);

@@ -2,6 +2,7 @@
 #include "planners/Require.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -33,6 +34,12 @@ int within(int least, int value, int most, const std::string &name)
 double within(double least, double value, double most, const std::string &name)
 {
     return checkRange(least, value, most, name);
+}
+
+double notNegative(double value, const std::string &name)
+{
+    require(value >= 0.0 && std::isfinite(value), name + " must be finite and not negative");
+    return value;
 }
 
 const std::string &oneOf(std::initializer_list<const char *> words, const std::string &value, const std::string &name)

@@ -15,6 +15,8 @@ void require(bool condition, const std::string &message);
 int within(int least, int value, int most, const std::string &name);
 /// The same for numbers that need not be whole. \throws std::invalid_argument
 double within(double least, double value, double most, const std::string &name);
+/// The value, which must be finite and not negative. \throws std::invalid_argument with the parameter's name
+double notNegative(double value, const std::string &name);
 
 /// The value, which must be one of the words.
 /// \throws std::invalid_argument with the parameter's name and the words

@@ -120,7 +120,8 @@ private:
     {
         const char *name;  ///< of the measure solved_by_...
         int share;         ///< samples, in parts of what a round is about
-        int windingShare;  ///< the same where passages wind but are not narrow (ThreadingSearch::isWinding)
+        int windingShare;  ///< the same for eight joints where passages wind, not narrow (ThreadingSearch::isWinding)
+        int windingPower;  ///< of the joints, by which that grows
         double range;      ///< longest step, radians
     };
     static const Trait &traitOf(Member::Kind kind);

@@ -13,7 +13,7 @@ namespace
 constexpr int firstBudget = 24;  ///< samples of the first round, times a member's share
 constexpr double growth = 1.5;   ///< of that, from round to round
 constexpr double mostSamples = 1e6;
-constexpr double windingJoints = 8.0;  ///< what windingShare of cells is for; what they need grows with the square
+constexpr double windingJoints = 8.0;  ///< what windingShare is for
 constexpr int firstTraces = 4;         ///< round of the first curves
 constexpr int tracesPerRound = 4;
 constexpr int leastDimension = 3;   ///< of slices
@@ -25,7 +25,7 @@ constexpr int openSamples = 48;     ///< that are taken for samples in the open,
 const Threader::Trait &Threader::traitOf(Member::Kind kind)
 {
     static const std::array<Trait, 4> traits{
-        {{"full", 2, 2, longRange}, {"slice", 5, 1, 0.8}, {"cells", 1, 40, 2.8}, {"traces", 0, 0, 0.0}}};
+        {{"full", 2, 2, 0, longRange}, {"slice", 5, 1, 0, 0.8}, {"cells", 1, 40, 2, 2.8}, {"traces", 0, 0, 0, 0.0}}};
     return traits[static_cast<std::size_t>(kind)];
 }
 
@@ -88,9 +88,9 @@ bool Threader::run(Member &member, const ob::PlannerTerminationCondition &ptc)
     // early: slices solve at once what bends evenly, if at all.
     const bool isWinding =
         search_->isWinding() && (round_ % 2 == 1 || (round_ == 0 && member.kind == Member::Kind::Cells));
-    double share = isWinding ? trait.windingShare : trait.share;
-    if (isWinding && member.kind == Member::Kind::Cells)
-        share *= std::pow(static_cast<double>(chart_.dimension()) / windingJoints, 2.0);
+    const double joints = static_cast<double>(chart_.dimension());
+    const double share =
+        isWinding ? trait.windingShare * std::pow(joints / windingJoints, trait.windingPower) : trait.share;
     const int budget = static_cast<int>(std::min(share * firstBudget * std::pow(growth, round_), mostSamples));
     for (; used_ < budget && !ptc; ++used_)
     {

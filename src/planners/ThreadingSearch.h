@@ -172,6 +172,8 @@ private:
     bool hasGaps();  ///< finds them when first asked
     /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
     bool isDeep(const Eigen::VectorXd &x);
+    /// The same, but with only a look at the links (firstMet) where the blocked step would be given up anyway.
+    bool isBlockedAt(const Eigen::VectorXd &x, bool isPlain);
     /// The first joint from `joint` on whose link an obstacle holds there (Overlap); -1 if none is known to.
     int firstMet(const Eigen::VectorXd &x, int joint);
     /// Whether an obstacle is seen in the way of a step: spares most of the motion checks that would fail.

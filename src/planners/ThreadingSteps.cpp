@@ -73,12 +73,16 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    const bool mayBeFree =
-        looksOpen() || (!(way.isPlain ? firstMet(next_, 0) >= 0 : isDeep(next_)) && !meetsObstacle(from, step_));
+    const bool mayBeFree = looksOpen() || (!isBlockedAt(next_, way.isPlain) && !meetsObstacle(from, step_));
     if (mayBeFree && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
     return Progress::Trapped;
+}
+
+bool ThreadingSearch::isBlockedAt(const Eigen::VectorXd &x, bool isPlain)
+{
+    return isPlain ? firstMet(x, 0) >= 0 : isDeep(x);
 }
 
 bool ThreadingSearch::isDeep(const Eigen::VectorXd &x)

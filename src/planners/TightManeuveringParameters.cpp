@@ -40,8 +40,7 @@ std::string TightManeuvering::getField() const
 
 void TightManeuvering::setSpacing(double spacing)
 {
-    require(spacing >= 0.0, "spacing must not be negative");
-    settings_.grid.spacing = spacing;
+    settings_.grid.spacing = notNegative(spacing, "spacing");
 }
 
 void TightManeuvering::setCorridors(int count)

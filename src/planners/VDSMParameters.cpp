@@ -74,14 +74,12 @@ void VDSM::setSideSearch(int count)
 
 void VDSM::setStep(double step)
 {
-    require(step >= 0.0, "step must not be negative");
-    settings_.step = step;
+    settings_.step = notNegative(step, "step");
 }
 
 void VDSM::setMaxJump(double jump)
 {
-    require(jump >= 0.0, "max_jump must not be negative");
-    settings_.maxJump = jump;
+    settings_.maxJump = notNegative(jump, "max_jump");
 }
 
 void VDSM::setEasing(int rounds)
@@ -91,7 +89,6 @@ void VDSM::setEasing(int rounds)
 
 void VDSM::setRetraction(double depth)
 {
-    require(depth >= 0.0, "retraction must not be negative");
-    settings_.retraction = depth;
+    settings_.retraction = notNegative(depth, "retraction");
 }
 }  // namespace narrows

@@ -83,8 +83,7 @@ void ViaPointHomotopy::setEvaluations(int count)
 
 void ViaPointHomotopy::setMargin(double margin)
 {
-    require(margin >= 0.0 && std::isfinite(margin), "margin must be finite and not negative");
-    margin_ = margin;
+    margin_ = notNegative(margin, "margin");
 }
 
 void ViaPointHomotopy::setViaAttempts(int count)
@@ -94,8 +93,7 @@ void ViaPointHomotopy::setViaAttempts(int count)
 
 void ViaPointHomotopy::setRange(double range)
 {
-    require(range >= 0.0 && std::isfinite(range), "range must be finite and not negative");
-    range_ = range;
+    range_ = notNegative(range, "range");
 }
 
 std::vector<MotionLimits> ViaPointHomotopy::limits() const
