@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "PaperSquare.h"
+#include "kernel/scaling/PoseRules.h"
 #include "kernel/scaling/TipRoutes.h"
 
 namespace narrows
@@ -98,6 +99,19 @@ TEST_F(ScalingFailures, Span)
     const ScalingResult result = scale({{1500.1, 0.0}, {1510.0, 0.0}});
     EXPECT_EQ(result.fault.failure, ScalingFailure::Span);
     EXPECT_EQ(result.fault.link, 7);
+}
+
+// Wide limits hold too: link 2 lies back on link 1 but for 0.05 rad.
+TEST(PoseRules, KeepLinkAnglesUpToHalfATurn)
+{
+    ScalingProblem problem;
+    problem.lengths = {1.0, 1.0};
+    const double bend = std::acos(-1.0) - 0.05;
+    const std::vector<Eigen::Vector3d> centres{{0, 0, 0}, {1, 0, 0}, {1 + std::cos(bend), std::sin(bend), 0}};
+    problem.maxAngle = bend - 0.01;
+    EXPECT_EQ(PoseRules(problem).check(centres.data()).failure, ScalingFailure::LinkAngle);
+    problem.maxAngle = bend + 0.01;
+    EXPECT_EQ(PoseRules(problem).check(centres.data()).failure, ScalingFailure::None);
 }
 
 TEST_F(ScalingFailures, LinkAngleUnlessEased)

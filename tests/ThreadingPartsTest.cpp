@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What Threader is built from besides gaps: slices, samples, overlaps, charts of joint space, trees.
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -312,6 +313,85 @@ TEST(TipCells, ChooseWhereTheTipHasHardlyBeen)
     for (int i = 0; i < 4; ++i)
         cells.blame();
     EXPECT_LT(cells.choose(random), 9);
+}
+
+/// A cell as TipCells' formula sees it, looked up the slow way.
+struct CellByHand
+{
+    Eigen::VectorXi place;
+    std::vector<int> nodes = {};
+    double score = 1.0, visits = 1.0;
+};
+
+int neighbours(const std::vector<CellByHand> &cells, const CellByHand &cell)
+{
+    return static_cast<int>(std::count_if(cells.begin(), cells.end(), [&](const CellByHand &other)
+                                          { return (other.place - cell.place).cwiseAbs().sum() == 1; }));
+}
+
+double importance(const std::vector<CellByHand> &cells, const CellByHand &cell)
+{
+    return cell.score / ((1 + neighbours(cells, cell)) * static_cast<double>(cell.nodes.size()) * cell.visits);
+}
+
+/// The cell that matters most among those that have all four neighbours, or among the others; null if there is none.
+CellByHand *mostImportant(std::vector<CellByHand> &cells, bool inner)
+{
+    CellByHand *best = nullptr;
+    for (CellByHand &cell : cells)
+        if ((neighbours(cells, cell) == 4) == inner &&
+            (best == nullptr || importance(cells, cell) > importance(cells, *best) * (1.0 + 1e-9)))
+            best = &cell;
+    return best;
+}
+
+TEST(TipCells, ChooseAsTheFormulaDoesByHand)
+{
+    const PlanarArm arm({0, 0}, {{1.0, -1}, {1.0, 0}});
+    auto space =
+        std::make_shared<PlanarArmStateSpace>(arm, AngleConvention::Absolute, FreeJoints::Wrapping, JointLimits{});
+    space->setup();
+    const auto projection = space->getDefaultProjection();
+    TipCells cells(projection);
+    std::vector<CellByHand> byHand;
+    ompl::RNG random(3);
+    ompl::base::ScopedState<> state(space);
+    int edge = 0, inner = 0;
+    for (int i = 0; i < 600; ++i)
+    {
+        state = std::vector<double>{random.uniformReal(0.0, 0.5), random.uniformReal(1.0, 2.0)};
+        Eigen::VectorXi place(2);
+        projection->computeCoordinates(state.get(), place);
+        auto cell = std::find_if(byHand.begin(), byHand.end(), [&](const CellByHand &c) { return c.place == place; });
+        if (cell == byHand.end())
+        {
+            byHand.push_back({place});
+            byHand.back().score = 1.0 + std::log(1.0 + edge + inner);
+            cell = byHand.end() - 1;
+        }
+        cell->nodes.push_back(cells.size());
+        cells.add(state.get());
+
+        const int node = cells.choose(random);
+        const auto chosen =
+            std::find_if(byHand.begin(), byHand.end(), [&](const CellByHand &c)
+                         { return std::find(c.nodes.begin(), c.nodes.end(), node) != c.nodes.end(); });
+        ASSERT_NE(chosen, byHand.end());
+        const bool isInner = neighbours(byHand, *chosen) == 4;
+        ++(isInner ? inner : edge);
+        // Cells that matter equally are equally good.
+        EXPECT_NEAR(importance(byHand, *chosen), importance(byHand, *mostImportant(byHand, isInner)),
+                    1e-9 * importance(byHand, *chosen))
+            << i;
+        chosen->visits += 1.0;
+        if (i % 3 == 0)
+        {
+            cells.blame();
+            chosen->score *= 0.5;
+        }
+    }
+    EXPECT_GT(inner, 20);
+    EXPECT_GT(edge, 5 * inner);
 }
 }  // namespace
 }  // namespace narrows

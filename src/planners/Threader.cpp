@@ -132,6 +132,7 @@ void Threader::measure()
     measures_["samples"] = static_cast<double>(counts.samples);
     measures_["draws"] = static_cast<double>(counts.draws);
     measures_["bent_steps"] = static_cast<double>(counts.bent);
+    measures_["looks"] = static_cast<double>(counts.looks);
     measures_["blocked_steps"] = static_cast<double>(counts.blocked);
     measures_["centred_steps"] = static_cast<double>(counts.centred);
     measures_["refused_centred_steps"] = static_cast<double>(counts.refused);

@@ -56,6 +56,7 @@ public:
         std::uint64_t refused = 0;  ///< and those that were not
         std::uint64_t draws = 0;    ///< random steps whose end was looked at
         std::uint64_t bent = 0;     ///< steps along an obstacle
+        std::uint64_t looks = 0;    ///< for obstacles in the way of a step, before it was certified
     };
 
     /// \param si decides which motions are free \param chart of its space

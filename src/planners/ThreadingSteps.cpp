@@ -106,6 +106,7 @@ bool ThreadingSearch::meetsObstacle(const Eigen::VectorXd &from, const Eigen::Ve
 {
     if (!collision_)
         return false;
+    ++counts_.looks;
     int parts = 1;
     for (const double length = step.cwiseAbs().maxCoeff(); parts < mostLooks && length > lookSpacing * parts;)
         parts *= 2;

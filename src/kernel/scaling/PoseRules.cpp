@@ -19,7 +19,7 @@ constexpr double spare = 1e-7;
 
 PoseRules::PoseRules(const ScalingProblem &problem)
   : problem_(problem),
-    cosine_(problem.maxAngle < 3.0 ? std::cos(problem.maxAngle) + spare : -2.0),
+    cosine_(problem.maxAngle < std::acos(-1.0) ? std::cos(problem.maxAngle) + spare : -2.0),
     needed_(problem.radius + spare * problem.reach())
 {
 }

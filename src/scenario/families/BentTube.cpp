@@ -76,7 +76,8 @@ private:
     {
         const double direction = random_.uniform(-M_PI, M_PI);
         const int side = random_.coin() ? 1 : -1;
-        const double distance = random_.uniform(0.5, 0.9) * (random_.coin() ? 1.0 : -1.0);
+        const double aside = random_.uniform(0.5, 0.9);
+        const double distance = random_.coin() ? aside : -aside;
         if (!arm.place(direction, {wayBack_ / 2.0 + random_.uniform(-0.2, 0.2), distance}, side))
             return false;
         turning_ = arm.rod(lastRod) * turningLinks_ / lastLinks_;

@@ -144,7 +144,9 @@ private:
     {
         while (true)
         {
-            const Vector2d place(random_.uniform(-1.0, 1.0), random_.uniform(-1.0, 1.0));
+            Vector2d place;
+            for (const int axis : {1, 0})
+                place[axis] = random_.uniform(-1.0, 1.0);
             if (place.squaredNorm() < 1.0)
                 return reach * place;
         }

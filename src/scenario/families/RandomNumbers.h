@@ -7,7 +7,8 @@
 namespace narrows
 {
 /// Random numbers that are the same everywhere: the engine's sequence is fixed by the C++ standard, what the standard's
-/// distributions make of it is not.
+/// distributions make of it is not. Two draws need two statements: in which order a compiler evaluates arguments and
+/// operands is its own affair.
 class RandomNumbers
 {
 public:

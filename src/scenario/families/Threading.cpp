@@ -91,7 +91,8 @@ private:
     {
         const double direction = random_.uniform(-M_PI, M_PI);
         const int side = random_.coin() ? 1 : -1;
-        const double distance = symmetric_ ? 0.0 : random_.uniform(0.5, 0.9) * (random_.coin() ? 1.0 : -1.0);
+        const double aside = symmetric_ ? 0.0 : random_.uniform(0.5, 0.9);
+        const double distance = symmetric_ || random_.coin() ? aside : -aside;
         if (!arm.place(direction, {end_, distance}, side))
             return false;
         scene_.lengths = arm.lengths();
