@@ -214,6 +214,21 @@ TEST(Threader, FollowsCurvesEarlyWhereGapsAreThreaded)
     EXPECT_EQ(byTraces, 3.0);
 }
 
+// In the horn trees are near each other after a few samples in slices, which never join them; in case 3 slices get their
+// three turns of 120 samples.
+TEST(Threader, GivesSlicesUpWhereTreesComeNoNearer)
+{
+    const Parameters onlySlices{{"full", "0"}, {"cells", "0"}, {"traces", "0"}, {"rounds", "1"}};
+    for (std::uint32_t seed = 1; seed <= 5; ++seed)
+    {
+        const Attempt horn = solve(generated("horn", {{"links", "10"}}), seed, onlySlices);
+        EXPECT_NE(horn.status, ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_LT(horn.measure("samples"), 240.0) << seed;
+        const Attempt maze = solve(paperCase(3), seed, onlySlices);
+        EXPECT_TRUE(maze.measure("samples") == 360.0 || maze.status == ob::PlannerStatus::EXACT_SOLUTION) << seed;
+    }
+}
+
 TEST(Threader, GoesStraightWhereItCan)
 {
     Scenario scenario = paperCase(1);

@@ -146,7 +146,8 @@ void Threader::clear()
     search_.reset();
     members_.clear();
     member_ = 0;
-    round_ = used_ = fullSamples_ = tries_ = 0;
+    round_ = used_ = fullSamples_ = vainSamples_ = tries_ = 0;
+    nearest_ = std::numeric_limits<double>::infinity();
     curves_.reset();
 }
 

@@ -19,6 +19,12 @@ constexpr int tracesPerRound = 4;
 constexpr int leastDimension = 3;   ///< of slices
 constexpr double longRange = 3.0;   ///< radians: in the open
 constexpr double shortRange = 0.5;  ///< in narrow places
+// Trees that are near each other in a slice, but do not meet, need no larger one: what separates them is no matter of
+// slices. After 120 samples they are as near as 0.05 to 0.18 of the way in the horn, where slices never solve, and 0.6 in
+// case 3, where they do.
+constexpr double nearPart = 0.15;   ///< of the way between start and goal
+constexpr double leastGain = 0.99;  ///< less is no coming nearer
+constexpr int patience = 3;         ///< a turn by this, in samples, is how long they may come no nearer
 constexpr int openSamples = 48;     ///< that are taken for samples in the open, to begin with
 }  // namespace
 
@@ -97,8 +103,20 @@ bool Threader::run(Member &member, const ob::PlannerTerminationCondition &ptc)
         addGoals();
         if (grow(member, ptc))
             return true;
+        if (member.kind == Member::Kind::Slice && isInVain(budget))
+            break;
     }
     return false;
+}
+
+bool Threader::isInVain(int budget)
+{
+    const double distance = search_->leastDistance();
+    const bool comesNearer = distance < leastGain * nearest_;
+    nearest_ = comesNearer ? distance : nearest_;
+    vainSamples_ = comesNearer ? 0 : vainSamples_ + 1;
+    return vainSamples_ > budget / patience && search_->isWinding() &&
+           distance < nearPart * (search_->root(1, 0) - search_->root(0, 0)).norm();
 }
 
 bool Threader::grow(Member &member, const ob::PlannerTerminationCondition &ptc)
@@ -169,6 +187,7 @@ void Threader::passOn()
     if (++member_ < members_.size())
         return;
     member_ = 0;
+    vainSamples_ = 0;
     ++round_;
 }
 }  // namespace narrows

@@ -200,7 +200,11 @@ bool ThreadingSearch::answer(const Way &way, int from, const Stride &stride, omp
         progress = advance(answer, random);
     listLast(answer);
     if (progress != Progress::Reached)
+    {
+        const double distance = (tree(way.side)[way.node].x - tree(answer.side)[answer.node].x).norm();
+        leastDistance_ = std::min(leastDistance_, distance);
         return false;
+    }
     meeting_ = way.side == 0 ? std::pair(way.node, answer.node) : std::pair(answer.node, way.node);
     return true;
 }

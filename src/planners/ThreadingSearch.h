@@ -102,6 +102,8 @@ public:
     /// The state of a node; of roots, exactly the one that was given.
     void write(int side, int node, ob::State *state) const;
     const Counts &counts() const { return counts_; }  ///< since the search was made
+    /// The least distance that was left between the trees when one had gone towards the other; infinite at first.
+    double leastDistance() const { return leastDistance_; }
     /// Whether few blocked steps could go on through gaps: passages wind, but are not narrow.
     bool isWinding() const
     {
@@ -204,6 +206,7 @@ private:
     std::array<std::optional<TipCells>, 2> cells_;
     int turn_ = 0;
     std::pair<int, int> meeting_{-1, -1};
+    double leastDistance_ = std::numeric_limits<double>::infinity();
     Counts counts_;
 
     // Memory that is kept between steps.
