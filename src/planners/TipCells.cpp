@@ -12,54 +12,53 @@ constexpr double edgePart = 0.9;  ///< of the choices that are made among cells 
 constexpr double penalty = 0.5;   ///< on the score of a cell from which a step has led nowhere
 }  // namespace
 
+TipCells::TipCells(ob::ProjectionEvaluatorPtr projection)
+  : projection_(std::move(projection)), dimension_(std::min(static_cast<int>(projection_->getDimension()), 3))
+{
+}
+
 TipCells::Coordinates TipCells::coordinates(const ob::State *state) const
 {
     Eigen::VectorXi cell(projection_->getDimension());
     projection_->computeCoordinates(state, cell);
     Coordinates result{};
-    std::copy_n(cell.data(), std::min<Eigen::Index>(cell.size(), 3), result.begin());
+    std::copy_n(cell.data(), dimension_, result.begin());
     return result;
 }
 
-template <class Call>
-void TipCells::forNeighbours(Coordinates coordinates, const Call &call)
+void TipCells::introduce(std::size_t cell, Coordinates coordinates)
 {
-    for (std::size_t axis = 0; axis < std::min<std::size_t>(projection_->getDimension(), 3); ++axis)
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
         for (const int shift : {-1, 1})
         {
             coordinates[axis] += shift;
-            const auto found = cells_.find(coordinates);
+            const auto found = places_.find(coordinates);
             coordinates[axis] -= shift;
-            if (found != cells_.end())
-                call(found->second);
+            if (found == places_.end())
+                continue;
+            ++cells_[cell].neighbours;
+            ++cells_[found->second].neighbours;
+            weigh(cells_[found->second]);
         }
 }
 
 void TipCells::add(const ob::State *state)
 {
     const Coordinates coordinates = this->coordinates(state);
-    const auto [found, isNew] = cells_.try_emplace(coordinates);
-    Cell &cell = found->second;
-    cell.nodes.push_back(size_++);
-    if (!isNew)
-        return;
-    cell.score = 1.0 + std::log(1.0 + rounds_);
-    forNeighbours(coordinates,
-                  [&cell](Cell &other)
-                  {
-                      ++cell.neighbours;
-                      ++other.neighbours;
-                  });
+    const auto [found, isNew] = places_.try_emplace(coordinates, cells_.size());
+    const std::size_t cell = found->second;
+    if (isNew)
+    {
+        cells_.push_back({{}, 1.0 + std::log(1.0 + rounds_)});
+        introduce(cell, coordinates);
+    }
+    cells_[cell].nodes.push_back(size_++);
+    weigh(cells_[cell]);
 }
 
-bool TipCells::isInner(const Cell &cell) const
+void TipCells::weigh(Cell &cell)
 {
-    return cell.neighbours >= 2 * static_cast<int>(projection_->getDimension());
-}
-
-double TipCells::importance(const Cell &cell) const
-{
-    return cell.score / ((1.0 + cell.neighbours) * static_cast<double>(cell.nodes.size()) * cell.visits);
+    cell.importance = cell.score / ((1.0 + cell.neighbours) * static_cast<double>(cell.nodes.size()) * cell.visits);
 }
 
 int TipCells::lateNode(const Cell &cell, ompl::RNG &random)
@@ -72,25 +71,28 @@ int TipCells::choose(ompl::RNG &random)
     ++rounds_;
     const bool atEdge = random.uniform01() < edgePart;
     std::array<Cell *, 2> best{};  // of those at the edge, of the others
-    for (auto &[coordinates, cell] : cells_)
+    for (Cell &cell : cells_)
     {
         Cell *&kind = best[isInner(cell) ? 1 : 0];
-        if (kind == nullptr || importance(cell) > importance(*kind))
+        if (kind == nullptr || cell.importance > kind->importance)
             kind = &cell;
     }
-    chosen_ = best[atEdge ? 0 : 1] != nullptr ? best[atEdge ? 0 : 1] : best[atEdge ? 1 : 0];
-    ++chosen_->visits;
-    return lateNode(*chosen_, random);
+    Cell &chosen = *(best[atEdge ? 0 : 1] != nullptr ? best[atEdge ? 0 : 1] : best[atEdge ? 1 : 0]);
+    chosen_ = static_cast<std::size_t>(&chosen - cells_.data());
+    ++chosen.visits;
+    weigh(chosen);
+    return lateNode(chosen, random);
 }
 
 void TipCells::blame()
 {
-    chosen_->score *= penalty;
+    cells_[chosen_].score *= penalty;
+    weigh(cells_[chosen_]);
 }
 
 int TipCells::at(const ob::State *state, ompl::RNG &random) const
 {
-    const auto found = cells_.find(coordinates(state));
-    return found == cells_.end() ? -1 : lateNode(found->second, random);
+    const auto found = places_.find(coordinates(state));
+    return found == places_.end() ? -1 : lateNode(cells_[found->second], random);
 }
 }  // namespace narrows

@@ -19,7 +19,7 @@ class TipCells
 {
 public:
     /// \param projection into two or three dimensions, with the sides of the cells
-    explicit TipCells(ob::ProjectionEvaluatorPtr projection) : projection_(std::move(projection)) {}
+    explicit TipCells(ob::ProjectionEvaluatorPtr projection);
 
     /// How many nodes have been added: the next one's number.
     int size() const { return size_; }
@@ -41,19 +41,21 @@ private:
         double score;
         double visits = 1.0;
         int neighbours = 0;
+        double importance = 0.0;  ///< which follows from the others
     };
 
     Coordinates coordinates(const ob::State *state) const;
-    bool isInner(const Cell &cell) const;
-    double importance(const Cell &cell) const;
+    bool isInner(const Cell &cell) const { return cell.neighbours >= 2 * dimension_; }
+    static void weigh(Cell &cell);  ///< anew, after a change
     static int lateNode(const Cell &cell, ompl::RNG &random);
-    /// Calls `call` with every cell beside the one at these coordinates.
-    template <class Call>
-    void forNeighbours(Coordinates coordinates, const Call &call);
+    /// Tells the cell at these coordinates and those beside it of each other.
+    void introduce(std::size_t cell, Coordinates coordinates);
 
     ob::ProjectionEvaluatorPtr projection_;
-    std::map<Coordinates, Cell> cells_;
-    Cell *chosen_ = nullptr;
+    int dimension_;  ///< of cells
+    std::vector<Cell> cells_;
+    std::map<Coordinates, std::size_t> places_;  ///< of them
+    std::size_t chosen_ = 0;
     int size_ = 0, rounds_ = 0;
 };
 }  // namespace narrows

@@ -84,29 +84,31 @@ void DeepestOverlap::halve(const Directions &from, const Directions &to, Configu
         }
 }
 
-void DeepestOverlap::place(const Directions &directions, double slide)
+void DeepestOverlap::placeBase(double slide)
 {
     points_[0] = arm_.base();
     if (arm_.slide())
         points_[0] += slide * arm_.slide()->axis;
-    for (std::size_t t = 0; t < links_.size(); ++t)
-    {
-        const PlanarLink &link = arm_.links()[t];
-        links_[t].base = points_[static_cast<std::size_t>(link.parent + 1)];
-        links_[t].along = link.length * directions[t];
-        points_[t + 1] = links_[t].base + links_[t].along;
-    }
+}
+
+void DeepestOverlap::place(std::size_t link, const Directions &directions)
+{
+    const PlanarLink &shape = arm_.links()[link];
+    links_[link].base = points_[static_cast<std::size_t>(shape.parent + 1)];
+    links_[link].along = shape.length * directions[link];
+    points_[link + 1] = links_[link].base + links_[link].along;
 }
 
 double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
 {
     direct(q, directions_[0]);
-    place(directions_[0], q[0]);
+    placeBase(q[0]);
     double depth = 0.0;
     std::size_t deepestLink = 0;
     LinkForce force;
     for (std::size_t t = 0; t < links_.size(); ++t)
     {
+        place(t, directions_[0]);
         const Bounds box = boxOf(links_[t]);
         for (std::size_t i = 0; i < boxes_.size(); ++i)
         {
@@ -138,14 +140,18 @@ const LinkObstacle &DeepestOverlap::obstacle(std::size_t i)
     return *obstacles_[i];
 }
 
-int DeepestOverlap::firstOverlap(std::size_t link)
+int DeepestOverlap::firstOverlap(const Directions &directions, double slide, std::size_t link)
 {
-    for (; link < links_.size(); ++link)
+    placeBase(slide);
+    for (std::size_t t = 0; t < links_.size(); ++t)
     {
-        const Bounds box = boxOf(links_[link]);
+        place(t, directions);
+        if (t < link)
+            continue;
+        const Bounds box = boxOf(links_[t]);
         for (std::size_t i = 0; i < boxes_.size(); ++i)
-            if (meet(box, boxes_[i]) && obstacle(i).isMet(links_[link]))
-                return static_cast<int>(link);
+            if (meet(box, boxes_[i]) && obstacle(i).isMet(links_[t]))
+                return static_cast<int>(t);
     }
     return -1;
 }
@@ -153,9 +159,8 @@ int DeepestOverlap::firstOverlap(std::size_t link)
 int DeepestOverlap::firstMet(ConfigurationRef q, int joint)
 {
     direct(q, directions_[0]);
-    place(directions_[0], q[0]);
     const int offset = arm_.firstAngle();
-    const int link = firstOverlap(static_cast<std::size_t>(std::max(joint - offset, 0)));
+    const int link = firstOverlap(directions_[0], q[0], static_cast<std::size_t>(std::max(joint - offset, 0)));
     return link > 0 ? link + offset : link;
 }
 
@@ -176,8 +181,7 @@ bool DeepestOverlap::isMetBetween(ConfigurationRef q, ConfigurationRef delta, in
         {
             const double t = double(i) / parts;
             halve(at(i - stride), at(i + stride), q, delta, t, double(stride) / parts, at(i));
-            place(at(i), q[0] + t * delta[0]);
-            if (firstOverlap(0) >= 0)
+            if (firstOverlap(at(i), q[0] + t * delta[0], 0) >= 0)
                 return true;
         }
     return false;

@@ -36,9 +36,11 @@ private:
     /// Directions half way between two others of the motion q + t delta, from t - half to t + half.
     void halve(const Directions &from, const Directions &to, ConfigurationRef q, ConfigurationRef delta, double t,
                double half, Directions &result) const;
-    void place(const Directions &directions, double slide);
-    /// The first link that overlaps an obstacle, from `link` on; -1 if none does.
-    int firstOverlap(std::size_t link);
+    void placeBase(double slide);
+    /// \pre the base and the links before it have been placed
+    void place(std::size_t link, const Directions &directions);
+    /// The first link that overlaps an obstacle, from `link` on; -1 if none does. Links behind it are not placed.
+    int firstOverlap(const Directions &directions, double slide, std::size_t link);
     /// Made when a link comes near it for the first time: in the open, most never are.
     const LinkObstacle &obstacle(std::size_t i);
 
