@@ -67,11 +67,14 @@ TEST(PlannerFactory, ShowsSamplingPlannersNothingButTheSpace)
     context.si = seededProblem().si;
     for (const PlannerEntry &entry : planners())
     {
-        if (entry.usesModel)
+        if (!entry.usesModel)
+            EXPECT_NE(entry.make(context), nullptr) << entry.name;
+        if (entry.usesModel || !whyUnsupported(entry.name, context).empty())
             EXPECT_THROW(makePlanner(entry.name, context), std::invalid_argument) << entry.name;
         else
             EXPECT_NE(makePlanner(entry.name, context), nullptr) << entry.name;
     }
+    EXPECT_THROW(makePlanner("lazylbtrrt", context), std::invalid_argument);
     EXPECT_THROW(makePlanner("rrt", {}), std::invalid_argument);
 }
 

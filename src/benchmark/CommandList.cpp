@@ -145,7 +145,7 @@ Json describePlanner(const std::string &name)
 {
     const PlannerEntry &entry = findPlanner(name);
     const Problem problem = smallProblemFor(name);
-    const ob::PlannerPtr planner = makePlanner(name, problem.context);
+    const ob::PlannerPtr planner = entry.make(problem.context);  // also of those that can plan nothing
     Json parameters = Json::array();
     for (const auto &[parameter, value] : planner->params().getParams())
         parameters.push_back({{"name", parameter},

@@ -66,9 +66,8 @@ public:
 
 /// Makes a planner and sets its parameters (texts, as OMPL's ParamSet takes them). For a tip path, one that does not
 /// follow it by itself comes as a LegByLeg, with the same parameters.
-/// \throws std::invalid_argument for an unknown name, or for vdsm and tight if whyUnsupported() says something;
-/// ParameterError naming the parameter if the planner has none of
-/// that name or refuses the value.
+/// \throws std::invalid_argument for an unknown name, or if whyUnsupported() says something; ParameterError naming the
+/// parameter if the planner has none of that name or refuses the value.
 ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &context,
                            const std::map<std::string, std::string> &parameters = {});
 }  // namespace narrows
