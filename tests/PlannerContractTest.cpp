@@ -225,8 +225,11 @@ TEST(UnsupportedPlanners, LazyLbtrrtAborts)
         GTEST_SKIP() << "not seen in OMPL 2";
     EXPECT_DEATH(
         {
-            const Trial trial = makeTrial("lazylbtrrt");
-            trial.planner->solve(questions(20'000));
+            const Problem problem = seededProblem();
+            const ob::PlannerPtr planner = findPlanner("lazylbtrrt").make(problem.context);  // makePlanner() refuses
+            planner->setProblemDefinition(problem.pdef);
+            planner->setup();
+            planner->solve(questions(20'000));
         },
         "LPAstarOnGraph");
 }
