@@ -274,9 +274,8 @@ ob::PlannerPtr makePlanner(const std::string &name, const PlannerContext &contex
         throw std::invalid_argument("a planner needs a space");
     if (entry.usesModel && !context.repulsion)
         throw std::invalid_argument(name + " needs to know the robot and the obstacles");
-    const std::string unsupported = whyUnsupported(name, context);
-    if (!unsupported.empty())
-        throw std::invalid_argument(name + " is not for this problem: " + unsupported);
+    if (const std::string why = whyUnsupported(name, context); !why.empty())
+        throw std::invalid_argument(name + " is not for this problem: " + why);
     const auto make = [make = entry.make, context = keepingPoles(context), name, parameters]
     {
         ob::PlannerPtr planner = make(context);

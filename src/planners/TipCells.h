@@ -41,7 +41,7 @@ private:
         double score;
         double visits = 1.0;
         int neighbours = 0;
-        double importance = 0.0;  ///< which follows from the others
+        double importance = 0.0;  ///< which follows from the others; kept, as every choice asks all cells for it
     };
 
     Coordinates coordinates(const ob::State *state) const;

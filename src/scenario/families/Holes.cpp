@@ -83,7 +83,7 @@ private:
         carriers_[1] = rod(1);
         wayBack_ = depth * rod(2) + halfThickness + scene_.radius + rod(3) + headroom;
         begin_ = {rounded(wayBack_ / 2.0 + random_.uniform(-0.2, 0.2), 6), drawOffset(), drawOffset()};
-        for (const int axis : {2, 1, 0})
+        for (const int axis : {2, 1, 0})  // as the scenes that are stored were drawn
             elbow_[axis] = random_.uniform(-1.0, 1.0);
         const double half = rounded(scene_.radius + halfWidth_, 12);
         scene_.robot = lengths;

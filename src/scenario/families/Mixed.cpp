@@ -145,7 +145,7 @@ private:
         while (true)
         {
             Vector2d place;
-            for (const int axis : {1, 0})
+            for (const int axis : {1, 0})  // as the scenes that are stored were drawn
                 place[axis] = random_.uniform(-1.0, 1.0);
             if (place.squaredNorm() < 1.0)
                 return reach * place;
