@@ -214,8 +214,8 @@ TEST(Threader, FollowsCurvesEarlyWhereGapsAreThreaded)
     EXPECT_EQ(byTraces, 3.0);
 }
 
-// In the horn trees are near each other after a few samples in slices, which never join them; in case 3 slices get their
-// three turns of 120 samples.
+// In the horn trees are near each other after a few samples in slices, which never join them; in case 3 slices get
+// their three turns of 120 samples.
 TEST(Threader, GivesSlicesUpWhereTreesComeNoNearer)
 {
     const Parameters onlySlices{{"full", "0"}, {"cells", "0"}, {"traces", "0"}, {"rounds", "1"}};

@@ -26,8 +26,8 @@ namespace narrows
    in between.
 
    Members, one after the other in rounds that grow: the straight motions; trees in all of joint space; trees in slices
-   of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm, as long
-   as trees that are near each other there come nearer; random steps from where the tip has hardly been (TipCells), most
+   of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm, as
+   long as trees that are near each other there come nearer; random steps from where the tip has hardly been (TipCells), most
    of all if no gaps are threaded; curves of HPPM. Trees are kept from one member to the next. The whole of joint space
    is among them, so that the planner is probabilistically complete. The same seed gives the same answer.
    @par External documentation
@@ -143,8 +143,8 @@ private:
     bool trace(const ob::PlannerTerminationCondition &ptc);
     /// A member's turn. \return whether start and goal are joined
     bool run(Member &member, const ob::PlannerTerminationCondition &ptc);
-    /// To be asked after each sample of a slice's turn, which takes `budget` of them at most: whether the trees are near
-    /// each other, but have not come nearer for long, so that slices are not what they need.
+    /// To be asked after each sample of a slice's turn, which takes `budget` of them at most: whether the trees are
+    /// near each other, but have not come nearer for long, so that slices are not what they need.
     bool isInVain(int budget);
     /// Takes another goal, if there are more, as the goal's tree grows.
     void addGoals();

@@ -20,8 +20,8 @@ constexpr int leastDimension = 3;   ///< of slices
 constexpr double longRange = 3.0;   ///< radians: in the open
 constexpr double shortRange = 0.5;  ///< in narrow places
 // Trees that are near each other in a slice, but do not meet, need no larger one: what separates them is no matter of
-// slices. After 120 samples they are as near as 0.05 to 0.18 of the way in the horn, where slices never solve, and 0.6 in
-// case 3, where they do.
+// slices. After 120 samples they are as near as 0.05 to 0.18 of the way in the horn, where slices never solve, and 0.6
+// in case 3, where they do.
 constexpr double nearPart = 0.15;   ///< of the way between start and goal
 constexpr double leastGain = 0.99;  ///< less is no coming nearer
 constexpr int patience = 3;         ///< a turn by this, in samples, is how long they may come no nearer
