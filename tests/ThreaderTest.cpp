@@ -150,8 +150,8 @@ TEST(Threader, CellsFindTheWayThroughMazes)
     EXPECT_GE(byCells, 3.0);
 }
 
-// In the open it certifies about as many motions as RRT-Connect; before steps have been blocked it looks at the straight
-// motion alone and bends nothing.
+// In the open it certifies about as many motions as RRT-Connect; before steps have been blocked it looks at the
+// straight motion alone and bends nothing.
 TEST(Threader, StartsLean)
 {
     double motions = 0.0, rivals = 0.0;

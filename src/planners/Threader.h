@@ -25,11 +25,12 @@ namespace narrows
    which links cross gaps in the middle, searched in joint space and in nested slices of it, with some homotopy curves
    in between.
 
-   Members, one after the other in rounds that grow: the straight motions; trees in all of joint space; trees in slices
-   of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the arm, as
-   long as trees that are near each other there come nearer; random steps from where the tip has hardly been (TipCells), most
-   of all if no gaps are threaded; curves of HPPM. Trees are kept from one member to the next. The whole of joint space
-   is among them, so that the planner is probabilistically complete. The same seed gives the same answer.
+   Members, one after the other in rounds that grow: the straight motions; trees in all of joint space; trees in
+   slices of 3, 4, ... dimensions through start and goal, spanned by the straight direction and smooth bends of the
+   arm, as long as trees that are near each other there come nearer; random steps from where the tip has hardly been
+   (TipCells), most of all if no gaps are threaded; curves of HPPM. Trees are kept from one member to the next. The
+   whole of joint space is among them, so that the planner is probabilistically complete. The same seed gives the
+   same answer.
    @par External documentation
    docs/threader.md
 
