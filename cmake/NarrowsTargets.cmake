@@ -33,7 +33,8 @@ function(narrows_add_test name)
   if(arg_SLOW)
     set(label slow)
   endif()
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${label} TIMEOUT 600)
+  # Listing takes a tenth of a second; a busy machine's first look at a program on its disk has taken more than CMake's 5 s.
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES LABELS ${label} TIMEOUT 600)
 endfunction()
 
 # CGAL for the named sources of a target only: narrows_use_cgal(target file.cpp ...). CGAL::CGAL would compile the whole
