@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <boost/math/constants/constants.hpp>
+
 #include "kernel/JointCentres.h"
 
 namespace narrows
@@ -14,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double pi = 3.14159265358979323846;
+using boost::math::double_constants::pi;
 
 void checkPositive(double length, const char *what)
 {

@@ -5,13 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include <boost/math/constants/constants.hpp>
+
 #include "spaces/PlanarArmStateSpace.h"
 
 namespace narrows
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
+using boost::math::double_constants::pi;
 constexpr double leastMargin = 0.999;  ///< of pi: turns that surely go the way they are meant to
 
 const double *valuesOf(const ob::State *state)

@@ -100,7 +100,7 @@ const Meanings &common()
     return meanings;
 }
 
-const Meanings &hppm()
+const Meanings &ofHppm()
 {
     static const Meanings meanings{
         {"direction",
@@ -130,7 +130,7 @@ const Meanings &hppm()
     return meanings;
 }
 
-const Meanings &threader()
+const Meanings &ofThreader()
 {
     static const Meanings meanings{
         {"bending", "push steps that end in an obstacle out of it"},
@@ -156,7 +156,7 @@ const Meanings &threader()
     return meanings;
 }
 
-const Meanings &vdsm()
+const Meanings &ofVdsm()
 {
     static const Meanings meanings{
         {"easing", "rounds of pushing links out of corners"},
@@ -174,7 +174,7 @@ const Meanings &vdsm()
 const Meanings *own(const std::string &planner)
 {
     static const std::map<std::string, const Meanings *> tables{
-        {"hppm", &hppm()}, {"threader", &threader()}, {"vdsm", &vdsm()}};
+        {"hppm", &ofHppm()}, {"threader", &ofThreader()}, {"vdsm", &ofVdsm()}};
     const auto found = tables.find(planner);
     return found == tables.end() ? nullptr : found->second;
 }

@@ -17,7 +17,7 @@ constexpr int bisections = 6;      // of each corner's overlap
 constexpr double slowest = 1.5;    // logarithm of how much slower than the fastest a move may become
 constexpr double fastest = -0.5;   // ... and faster; the whole is stretched to the limits afterwards
 constexpr double viaReach = 0.5;   // of the shorter neighbouring segment: how far a vertex may move
-constexpr double firstStep = 0.1;  // of the search: overlaps and logarithms; vertices in shares of viaReach
+constexpr double firstSearchStep = 0.1;  // of the search: overlaps and logarithms; vertices in shares of viaReach
 constexpr double searchTolerance = 1e-4;
 constexpr double refused = 1.0;  // added to the logarithm of the duration
 
@@ -76,7 +76,7 @@ public:
         nlopt_set_min_objective(optimizer_, value, this);
         nlopt_set_lower_bounds(optimizer_, lower.data());
         nlopt_set_upper_bounds(optimizer_, upper.data());
-        nlopt_set_initial_step1(optimizer_, firstStep);
+        nlopt_set_initial_step1(optimizer_, firstSearchStep);
         nlopt_set_maxeval(optimizer_, options_.evaluations);
         nlopt_set_xtol_abs1(optimizer_, searchTolerance);
         double least = 0.0;

@@ -10,8 +10,8 @@ namespace narrows
 {
 namespace
 {
-constexpr double tolerance = 1e-12;  // radians
-constexpr int halvings = 60;         // past the last bit of a double
+constexpr double rounding = 1e-12;  // radians
+constexpr int halvings = 60;        // past the last bit of a double
 
 double squaredHalfSine(double angle)
 {
@@ -38,7 +38,7 @@ UniversalRange::UniversalRange(const UniversalLimit &limit, const std::optional<
     first_(within(limit.maxAngle, first)),
     second_(within(limit.maxAngle, second)),
     most_(squaredHalfSine(limit.maxAngle)),
-    tolerated_(squaredHalfSine(limit.maxAngle + tolerance))
+    tolerated_(squaredHalfSine(limit.maxAngle + rounding))
 {
     if (first_.lower > first_.upper || second_.lower > second_.upper ||
         !bendsAtMost(most_, leastOf(first_), leastOf(second_)))
@@ -59,8 +59,8 @@ bool UniversalRange::contains(const double *joints) const
     const double a = joints[limit_.first];
     const double b = joints[limit_.second];
     // The angles are those of a posture that turns by less than a right angle, not of one that bends as far by winding.
-    return a >= first_.lower - tolerance && a <= first_.upper + tolerance && b >= second_.lower - tolerance &&
-           b <= second_.upper + tolerance && bendsAtMost(tolerated_, a, b);
+    return a >= first_.lower - rounding && a <= first_.upper + rounding && b >= second_.lower - rounding &&
+           b <= second_.upper + rounding && bendsAtMost(tolerated_, a, b);
 }
 
 void UniversalRange::enforce(double *joints) const

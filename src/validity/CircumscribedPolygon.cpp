@@ -3,13 +3,15 @@
 
 #include <cmath>
 
+#include <boost/math/constants/constants.hpp>
+
 namespace narrows
 {
 namespace
 {
 using Eigen::Vector2d;
 
-constexpr double pi = 3.14159265358979323846;
+using boost::math::double_constants::pi;
 constexpr double leastTurn = 1e-6;  // radians between neighbouring tangents; keeps intersections well conditioned
 
 /// Tangent of |x|^p + |y|^p = 1.

@@ -3,12 +3,13 @@
 
 #include <cmath>
 
+#include <boost/math/constants/constants.hpp>
+
 namespace narrows::proof
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-constexpr double limitTolerance = 1e-9;  // radians or lengths: a joint that rests at its limit, after conversions
+using boost::math::double_constants::pi;
 
 bool isWithin(double value, double lower, double upper)
 {

@@ -11,6 +11,9 @@
 /// What the verifier asks about the values of joints.
 namespace narrows::proof
 {
+/// Radians or lengths: a joint that rests at its limit may be beyond it by this after conversions.
+constexpr double limitTolerance = 1e-9;
+
 /// Joint values of an arm in the plane, in the convention of the limits.
 class PlanarRules
 {

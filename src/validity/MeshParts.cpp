@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include <boost/math/constants/constants.hpp>
+
 namespace narrows::proof
 {
 namespace
@@ -12,7 +14,7 @@ namespace
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double pi = 3.14159265358979323846;
+using boost::math::double_constants::pi;
 
 Triangle cornersOf(const Mesh &mesh, const std::array<int, 3> &triangle)
 {

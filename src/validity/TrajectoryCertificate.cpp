@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "spaces/SpatialArmStateSpace.h"
+#include "validity/JointRules.h"
 #include "validity/TrajectorySpans.h"
 
 namespace narrows
 {
 namespace
 {
-constexpr double limitTolerance = 1e-9;      // of joints, as the verifier has it
 constexpr double clearanceTolerance = 1e-9;  // of the arm's reach, as ArmChecker has it
 }  // namespace
 
@@ -106,9 +106,9 @@ private:
         Verdict verdict = Verdict::Kept;
         const auto need = [&verdict](double excess, double change)
         {
-            if (excess > limitTolerance)
+            if (excess > proof::limitTolerance)
                 verdict = Verdict::Broken;
-            else if (verdict == Verdict::Kept && excess + change > limitTolerance)
+            else if (verdict == Verdict::Kept && excess + change > proof::limitTolerance)
                 verdict = Verdict::Open;
         };
         const std::vector<ArmJoint> &joints = own_.space_.joints();

@@ -5,13 +5,13 @@
 
 #include "spaces/JointCoordinates.h"
 #include "validity/ArmTravel.h"
+#include "validity/JointRules.h"
 #include "validity/TrajectorySpans.h"
 
 namespace narrows
 {
 namespace
 {
-constexpr double limitTolerance = 1e-9;  // of joints, as the verifier has it
 constexpr double positionTolerance = 1e-11;
 constexpr double finestSagitta = 1e-7;  // of the reach: chords that still collide are refused
 
@@ -99,7 +99,8 @@ bool withinLimits(const JointTrajectory &trajectory, const ArmStateSpace &space)
         if (const std::optional<Interval> &limits = space.joints()[i].limits)
         {
             const MotionPeaks peaks = motionPeaks(*trajectory.joint(static_cast<Eigen::Index>(i)), positionTolerance);
-            if (peaks[0].lowest < limits->lower - limitTolerance || peaks[0].highest > limits->upper + limitTolerance)
+            if (peaks[0].lowest < limits->lower - proof::limitTolerance ||
+                peaks[0].highest > limits->upper + proof::limitTolerance)
                 return false;
         }
     return true;

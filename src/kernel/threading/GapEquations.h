@@ -7,6 +7,11 @@
 
 namespace narrows
 {
+/// How far off the middle links cross a gap, beside its half width, in its sizes.
+constexpr double throatPart = 0.3;
+/// |sine| of the least angle between a link that crosses and the gap's axis; in space the gap's plane too.
+constexpr double leastSquareness = 0.5;
+
 /// A link that crosses a gap.
 struct GapCrossing
 {

@@ -10,8 +10,6 @@ namespace
 {
 using Eigen::Vector2d;
 
-constexpr double throatPart = 0.3;  ///< of a gap's size, beside its half width: how far off the middle links cross it
-constexpr double leastSquareness = 0.5;  ///< |sine| of the angle between link and axis
 
 double cross(const Vector2d &a, const Vector2d &b)
 {

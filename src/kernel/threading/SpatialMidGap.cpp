@@ -13,9 +13,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-constexpr double throatPart = 0.3;       ///< of a gap's size: how far off the middle links cross it
-constexpr double leastSquareness = 0.5;  ///< |sine| of the angle between a link and the gap's plane, and its axis
-constexpr double linkPart = 0.25;        ///< of a link's length, the least size of its gaps
+constexpr double linkPart = 0.25;  ///< of a link's length, the least size of its gaps
 
 /// A link as its line: base and direction.
 struct Line

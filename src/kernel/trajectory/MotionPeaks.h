@@ -40,6 +40,9 @@ using MotionPeaks = std::array<Extremes, 4>;
 /// \param tolerance relative to the magnitude of the derivative (of the position: to the larger of that and its range)
 MotionPeaks motionPeaks(const PiecewiseMotion &motion, double tolerance = 1e-9);
 
+/// By this factor peaks of the default tolerance are taken to be higher where they are held against limits.
+constexpr double peakSlack = 1.0 + 2e-9;
+
 /// Of velocity, acceleration and jerk; each > 0 and finite.
 struct MotionLimits
 {

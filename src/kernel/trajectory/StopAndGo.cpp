@@ -11,7 +11,6 @@ namespace narrows
 {
 namespace
 {
-constexpr double longestTime = 1e6;
 constexpr double repeatTolerance = 1e-12;  // of the largest coordinate
 
 TrajectoryFailure faultOf(const Eigen::MatrixXd &points)

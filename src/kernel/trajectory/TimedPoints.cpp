@@ -7,7 +7,6 @@ namespace narrows
 {
 namespace
 {
-constexpr double longestTime = 1e6;
 constexpr double shortestSegment = 1e-9;  // of the duration: below it times are rounding
 }  // namespace
 

@@ -8,7 +8,6 @@ namespace narrows
 namespace
 {
 constexpr double jumpTolerance = 1e-7;
-constexpr double peakSlack = 1.0 + 2e-9;  // what peaks may be too low by
 
 /// Makes what lies above the first jump infinite.
 void addImpulses(const Series<3> &jumps, const Series<3> &scale, MotionPeaks &peaks)

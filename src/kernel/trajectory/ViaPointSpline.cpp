@@ -8,7 +8,6 @@ namespace narrows
 namespace
 {
 constexpr double shortestPiece = 1e-12;   // of the duration: below it knots are one
-constexpr double peakSlack = 1.0 + 2e-9;  // what peaks may be too low by
 constexpr double leastPivot = 0.05;       // below it levels run away from the points
 }  // namespace
 

@@ -6,7 +6,7 @@ namespace narrows
 namespace
 {
 // Errors of the terms grow with one over the pivot.
-constexpr double leastPivot = 1e-9;
+constexpr double leastRelativePivot = 1e-9;
 
 TrajectoryFailure faultOf(const ViaPointTask &task)
 {
@@ -70,7 +70,7 @@ OrFailure<ViaPointTrajectory> ViaPointTrajectory::solved(const ViaPointTask &tas
     const double viaShare = viaSpan == task.viaTime ? 1.0 : toVia.at<0>(task.viaTime * made.viaRate_)[0];
     made.goalShare_ = toGoal.at<0>(task.viaTime * made.goalRate_)[0];
     const double pivot = viaShare - made.goalShare_;
-    if (!(std::abs(pivot) > leastPivot * std::max(1.0, made.goalShare_)))
+    if (!(std::abs(pivot) > leastRelativePivot * std::max(1.0, made.goalShare_)))
         return TrajectoryFailure::Singular;
     // Both parts as differences, so that a joint that need not move stays where
     // it is.
