@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <boost/math/constants/constants.hpp>
-
 #include "kernel/JointCentres.h"
 
 namespace narrows
@@ -15,8 +13,6 @@ namespace
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-using boost::math::double_constants::pi;
 
 void checkPositive(double length, const char *what)
 {
@@ -63,7 +59,7 @@ double CableDrive::holeAngle(int cable) const
     const int link = cable / 3;
     const int third = cable % 3 - 1;
     const int steps = link - linkCount() / 2 + third * linkCount();
-    return 2.0 * pi * ((steps + cableCount()) % cableCount()) / cableCount();
+    return 2.0 * M_PI * ((steps + cableCount()) % cableCount()) / cableCount();
 }
 
 double CableDrive::largestBend() const
@@ -105,7 +101,7 @@ JointSolution CableDrive::anglesAtJoint(int joint, const Vector3d &lengths, doub
         }
 
     // A long step may have gone round.
-    const UniversalAngles angles{std::remainder(best.angles[0], 2.0 * pi), std::remainder(best.angles[1], 2.0 * pi)};
+    const UniversalAngles angles{std::remainder(best.angles[0], 2.0 * M_PI), std::remainder(best.angles[1], 2.0 * M_PI)};
     JointSolution solution{CableStatus::Solved, angles, best.residual};
     if (best.residual > tolerance)
         solution.status = best.converged ? CableStatus::Inconsistent : CableStatus::NotConverged;
