@@ -101,7 +101,8 @@ JointSolution CableDrive::anglesAtJoint(int joint, const Vector3d &lengths, doub
         }
 
     // A long step may have gone round.
-    const UniversalAngles angles{std::remainder(best.angles[0], 2.0 * M_PI), std::remainder(best.angles[1], 2.0 * M_PI)};
+    const UniversalAngles angles{std::remainder(best.angles[0], 2.0 * M_PI),
+                                 std::remainder(best.angles[1], 2.0 * M_PI)};
     JointSolution solution{CableStatus::Solved, angles, best.residual};
     if (best.residual > tolerance)
         solution.status = best.converged ? CableStatus::Inconsistent : CableStatus::NotConverged;
