@@ -13,10 +13,10 @@ namespace
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int bisections = 6;      // of each corner's overlap
-constexpr double slowest = 1.5;    // logarithm of how much slower than the fastest a move may become
-constexpr double fastest = -0.5;   // ... and faster; the whole is stretched to the limits afterwards
-constexpr double viaReach = 0.5;   // of the shorter neighbouring segment: how far a vertex may move
+constexpr int bisections = 6;            // of each corner's overlap
+constexpr double slowest = 1.5;          // logarithm of how much slower than the fastest a move may become
+constexpr double fastest = -0.5;         // ... and faster; the whole is stretched to the limits afterwards
+constexpr double viaReach = 0.5;         // of the shorter neighbouring segment: how far a vertex may move
 constexpr double firstSearchStep = 0.1;  // of the search: overlaps and logarithms; vertices in shares of viaReach
 constexpr double searchTolerance = 1e-4;
 constexpr double refused = 1.0;  // added to the logarithm of the duration

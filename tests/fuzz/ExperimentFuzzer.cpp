@@ -7,7 +7,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const narrows::QuietOmpl quiet;  // each planner that is made tells its parameters
-    constexpr int mostScenes = 50;  // each is made, and takes milliseconds
+    constexpr int mostScenes = 50;   // each is made, and takes milliseconds
     try
     {
         narrows::parseExperiment(narrows::fuzzText(data, size), NARROWS_SOURCE_DIR "/experiments/fuzzed.cfg",

@@ -7,8 +7,8 @@ namespace narrows
 {
 namespace
 {
-constexpr double shortestPiece = 1e-12;   // of the duration: below it knots are one
-constexpr double leastPivot = 0.05;       // below it levels run away from the points
+constexpr double shortestPiece = 1e-12;  // of the duration: below it knots are one
+constexpr double leastPivot = 0.05;      // below it levels run away from the points
 }  // namespace
 
 ViaPointSpline::ViaPointSpline(const std::vector<double> &times, double overlap, const Rise &rise)
