@@ -42,6 +42,19 @@ struct Bounds
 {
     Eigen::Vector2d lower;  ///< least coordinates
     Eigen::Vector2d upper;  ///< greatest coordinates
+
+    /// The box around two points.
+    static Bounds around(const Eigen::Vector2d &one, const Eigen::Vector2d &other)
+    {
+        return {one.cwiseMin(other), one.cwiseMax(other)};
+    }
+
+    /// Whether the boxes have a point in common. Without branches: the answer is hard to foresee.
+    bool meets(const Bounds &other) const
+    {
+        return (int(upper.x() >= other.lower.x()) & int(lower.x() <= other.upper.x()) &
+                int(upper.y() >= other.lower.y()) & int(lower.y() <= other.upper.y())) != 0;
+    }
 };
 
 /// The smallest such box.

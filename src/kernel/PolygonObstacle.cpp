@@ -83,8 +83,9 @@ PolygonObstacle::PolygonObstacle(const Polygon &polygon, double linkRadius, doub
     size_ = 2.0 * (std::min(std::sqrt(areaOf(edges_) / pi), reach) + linkRadius);
     for (const Polygon &part : convexParts(polygon))
     {
-        pieces_.push_back(edgesOf(part));
-        insides_.push_back(insideOf(pieces_.back()));
+        std::vector<Segment> edges = edgesOf(part);
+        std::vector<HalfPlane> inside = insideOf(edges);
+        pieces_.push_back({bounds({"", part}), std::move(edges), std::move(inside)});
     }
 }
 
@@ -122,17 +123,16 @@ bool PolygonObstacle::enters(const Segment &link, const std::vector<HalfPlane> &
 
 bool PolygonObstacle::isMet(const Segment &link) const
 {
-    for (const std::vector<HalfPlane> &inside : insides_)
-        if (enters(link, inside))
+    const Bounds box = Bounds::around(link.base, link.tip());
+    for (const Piece &piece : pieces_)
+        if (box.meets(piece.box) && enters(link, piece.inside))
             return true;
     return linkRadius_ > 0.0 && distance(link).value < linkRadius_;
 }
 
 bool PolygonObstacle::meets(const Segment &link) const
 {
-    const Vector2d tip = link.tip();
-    if ((link.base.cwiseMax(tip).array() < box_.lower.array()).any() ||
-        (link.base.cwiseMin(tip).array() > box_.upper.array()).any())
+    if (!box_.meets(Bounds::around(link.base, link.tip())))
         return false;
     return contains(polygon_, link.base) ||
            std::any_of(edges_.begin(), edges_.end(), [&link](const Segment &edge) { return cross(link, edge); });
@@ -159,9 +159,12 @@ LinkTerm PolygonObstacle::distance(const Segment &link) const
 LinkTerm PolygonObstacle::depth(const Segment &link) const
 {
     LinkTerm deepest;
-    for (const std::vector<Segment> &piece : pieces_)
+    const Bounds box = Bounds::around(link.base, link.tip());
+    for (const Piece &piece : pieces_)
     {
-        const LinkTerm term = separation(link, piece);
+        if (!box.meets(piece.box))
+            continue;
+        const LinkTerm term = separation(link, piece.edges);
         if (term.value < deepest.value)
             deepest = term;
     }

@@ -25,6 +25,13 @@ private:
         Eigen::Vector2d outward;  ///< of any length
         double offset;
     };
+    /// A convex polygon.
+    struct Piece
+    {
+        Bounds box;
+        std::vector<Segment> edges;
+        std::vector<HalfPlane> inside;
+    };
     static std::vector<HalfPlane> insideOf(const std::vector<Segment> &edges);
     static bool enters(const Segment &link, const std::vector<HalfPlane> &inside);
     bool meets(const Segment &link) const;
@@ -34,8 +41,7 @@ private:
     Polygon polygon_;
     Bounds box_;
     std::vector<Segment> edges_;
-    std::vector<std::vector<Segment>> pieces_;     ///< edges of convex polygons that make up the polygon
-    std::vector<std::vector<HalfPlane>> insides_;  ///< of the same
+    std::vector<Piece> pieces_;  ///< that make up the polygon
     double linkRadius_;
     double size_;  ///< 2 (R + link radius)
 };

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "kernel/LinkMotion.h"
-#include "validity/BoxArrays.h"
+#include "kernel/BoxArrays.h"
 
 namespace narrows
 {

@@ -8,7 +8,7 @@
 #include "kernel/LinkMotion.h"
 #include "kernel/PlanarArm.h"
 #include "kernel/SpatialArm.h"
-#include "validity/BoxArrays.h"
+#include "kernel/BoxArrays.h"
 
 namespace narrows
 {

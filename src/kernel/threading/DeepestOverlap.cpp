@@ -13,20 +13,8 @@ namespace
 {
 using Eigen::Vector2d;
 
+constexpr int boxesAtOnce = 4;      ///< that BoxArrays compares
 constexpr double surelyLess = 3.0;  ///< radians, than half a turn: the sum of two directions then lies between them
-
-Bounds boxOf(const Segment &link)
-{
-    const Vector2d tip = link.tip();
-    return {link.base.cwiseMin(tip), link.base.cwiseMax(tip)};
-}
-
-/// Without branches: it is asked of every link and obstacle, and the answer is hard to foresee.
-bool meet(const Bounds &one, const Bounds &other)
-{
-    return (int(one.upper.x() >= other.lower.x()) & int(one.lower.x() <= other.upper.x()) &
-            int(one.upper.y() >= other.lower.y()) & int(one.lower.y() <= other.upper.y())) != 0;
-}
 }  // namespace
 
 DeepestOverlap::DeepestOverlap(const PlanarModel &model)
@@ -48,6 +36,11 @@ DeepestOverlap::DeepestOverlap(const PlanarModel &model)
         boxes_.back().lower.array() -= arm_.radius();
         boxes_.back().upper.array() += arm_.radius();
     }
+    obstacleBoxes_.resize(static_cast<int>(boxes_.size()));
+    for (int i = 0; i < obstacleBoxes_.count(); ++i)
+        obstacleBoxes_.set(i, boxes_[static_cast<std::size_t>(i)].lower, boxes_[static_cast<std::size_t>(i)].upper,
+                           0.0);
+    linkBoxes_.resize(boxesAtOnce);
 }
 
 void DeepestOverlap::direct(ConfigurationRef q, Directions &directions) const
@@ -106,24 +99,23 @@ double DeepestOverlap::deepest(ConfigurationRef q, Eigen::VectorXd &gradient)
     double depth = 0.0;
     std::size_t deepestLink = 0;
     LinkForce force;
-    for (std::size_t t = 0; t < links_.size(); ++t)
-    {
-        place(t, directions_[0]);
-        const Bounds box = boxOf(links_[t]);
-        for (std::size_t i = 0; i < boxes_.size(); ++i)
-        {
-            if (!meet(box, boxes_[i]))
-                continue;
-            if (!obstacle(i).isMet(links_[t]))
-                continue;
-            const LinkTerm term = obstacle(i).pole(links_[t]);
-            if (!(term.value < depth))
-                continue;
-            depth = term.value;
-            deepestLink = t;
-            force = term.slope;
-        }
-    }
+    for (std::size_t first = 0; first < links_.size(); first += boxesAtOnce)
+        for (int i = 0, count = placeSome(first, directions_[0]); i < count; ++i)
+            visitNear(first + i, i,
+                      [&](const LinkObstacle &obstacle)
+                      {
+                          const Segment &link = links_[first + i];
+                          if (!obstacle.isMet(link))
+                              return true;
+                          const LinkTerm term = obstacle.pole(link);
+                          if (term.value < depth)
+                          {
+                              depth = term.value;
+                              deepestLink = first + i;
+                              force = term.slope;
+                          }
+                          return true;
+                      });
     if (depth < 0.0)
     {
         forces_.assign(links_.size(), {});
@@ -140,19 +132,47 @@ const LinkObstacle &DeepestOverlap::obstacle(std::size_t i)
     return *obstacles_[i];
 }
 
+int DeepestOverlap::placeSome(std::size_t link, const Directions &directions)
+{
+    const int count = static_cast<int>(std::min<std::size_t>(boxesAtOnce, links_.size() - link));
+    for (int i = 0; i < count; ++i)
+    {
+        place(link + i, directions);
+        linkBoxes_.set(i, links_[link + i].base, links_[link + i].tip(), 0.0);
+    }
+    linkBoxes_.findMeetings(obstacleBoxes_, near_);
+    return count;
+}
+
+template <class Visit>
+bool DeepestOverlap::visitNear(std::size_t link, int i, const Visit &visit)
+{
+    const ObstacleBits near = near_[static_cast<std::size_t>(i)];
+    if (near == 0)
+        return true;
+    const Bounds box = Bounds::around(links_[link].base, links_[link].tip());
+    for (std::size_t first = 0; first < boxes_.size(); first += 32)
+        for (ObstacleBits bits = near; bits != 0; bits &= bits - 1)
+        {
+            const std::size_t k = first + static_cast<std::size_t>(__builtin_ctz(bits));
+            if (k < boxes_.size() && box.meets(boxes_[k]) && !visit(obstacle(k)))
+                return false;
+        }
+    return true;
+}
+
 int DeepestOverlap::firstOverlap(const Directions &directions, double slide, std::size_t link)
 {
     placeBase(slide);
-    for (std::size_t t = 0; t < links_.size(); ++t)
-    {
+    for (std::size_t t = 0; t < std::min(link, links_.size()); ++t)
         place(t, directions);
-        if (t < link)
-            continue;
-        const Bounds box = boxOf(links_[t]);
-        for (std::size_t i = 0; i < boxes_.size(); ++i)
-            if (meet(box, boxes_[i]) && obstacle(i).isMet(links_[t]))
-                return static_cast<int>(t);
-    }
+    for (std::size_t first = link; first < links_.size(); first += boxesAtOnce)
+        for (int i = 0, count = placeSome(first, directions); i < count; ++i)
+        {
+            const Segment &it = links_[first + i];
+            if (!visitNear(first + i, i, [&it](const LinkObstacle &obstacle) { return !obstacle.isMet(it); }))
+                return static_cast<int>(first) + i;
+        }
     return -1;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "kernel/BoxArrays.h"
 #include "kernel/LinkObstacle.h"
 #include "kernel/LinkTerm.h"
 #include "kernel/PlanarModel.h"
@@ -39,7 +40,13 @@ private:
     void placeBase(double slide);
     /// \pre the base and the links before it have been placed
     void place(std::size_t link, const Directions &directions);
-    /// The first link that overlaps an obstacle, from `link` on; -1 if none does. Links behind it are not placed.
+    /// Places up to four links from `link` on and finds the obstacles near them. \return how many links
+    int placeSome(std::size_t link, const Directions &directions);
+    /// Calls visit(obstacle) for each that is near the link, the i-th of those that placeSome() has placed, until that
+    /// returns false. \return whether none did
+    template <class Visit>
+    bool visitNear(std::size_t link, int i, const Visit &visit);
+    /// The first link that overlaps an obstacle, from `link` on; -1 if none does.
     int firstOverlap(const Directions &directions, double slide, std::size_t link);
     /// Made when a link comes near it for the first time: in the open, most never are.
     const LinkObstacle &obstacle(std::size_t i);
@@ -48,7 +55,10 @@ private:
     double longestLink_ = 0.0;
     std::vector<PlanarObstacle> shapes_;
     std::vector<std::unique_ptr<const LinkObstacle>> obstacles_;
-    std::vector<Bounds> boxes_;
+    std::vector<Bounds> boxes_;   ///< of obstacles, for links that are lines
+    BoxArrays<2> obstacleBoxes_;  ///< the same
+    BoxArrays<2> linkBoxes_;
+    std::vector<ObstacleBits> near_;  ///< per box of a link
     std::array<Directions, mostParts + 1> directions_;
     std::vector<Eigen::Vector2d> points_, carried_;
     std::vector<Segment> links_;

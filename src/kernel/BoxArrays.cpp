@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "validity/BoxArrays.h"
+#include "kernel/BoxArrays.h"
 
 #include <cstring>
 
