@@ -37,6 +37,44 @@ LinkTerm SuperellipseObstacle::pole(const Segment &link) const
     return poleOf(linkRadius_ > 0.0 ? clearance(link) : gauge(link, fraction), size_);
 }
 
+SuperellipseObstacle::Level SuperellipseObstacle::level(const Vector2d &from, const Vector2d &along, double t) const
+{
+    const Vector2d place = from + t * along;
+    Vector2d lower;
+    const Vector2d raised = raise(place, lower);
+    return {t, raised.dot(place), exponent_ * raised.dot(along),
+            exponent_ * (exponent_ - 1.0) * lower.dot(along.cwiseProduct(along))};
+}
+
+/// The tangents at both ends of a bracket of the least level bound it from below: a step or two tell mostly.
+bool SuperellipseObstacle::isMet(const Segment &link) const
+{
+    if (linkRadius_ > 0.0)
+        return clearance(link).value < 0.0;
+    const Vector2d from = (link.base - center_).cwiseProduct(inverseExtents_);
+    const Vector2d along = link.along.cwiseProduct(inverseExtents_);
+    Level low = level(from, along, 0.0), high = level(from, along, 1.0);
+    if (low.value < 1.0 || high.value < 1.0)
+        return true;
+    if (low.slope >= 0.0 || high.slope <= 0.0)
+        return false;
+    double t = std::min(std::max(-from.dot(along) / along.squaredNorm(), 0.0), 1.0);
+    for (int iteration = 0; iteration < 60; ++iteration)
+    {
+        const double width = high.t - low.t;
+        const double crossing = (high.value - low.value - high.slope * width) / (low.slope - high.slope);
+        if (low.value + crossing * low.slope >= 1.0 || !(width > 1e-15))
+            return false;
+        const Level middle = level(from, along, t);
+        if (middle.value < 1.0)
+            return true;
+        (middle.slope < 0.0 ? low : high) = middle;
+        const double proposed = t - middle.slope / middle.bend;
+        t = proposed > low.t && proposed < high.t ? proposed : 0.5 * (low.t + high.t);
+    }
+    return false;
+}
+
 /// The distance from a convex shape is convex along the link: an end is nearest if the way to it does not lead back
 /// along the link, and an inner point is where the link's line comes nearest.
 LinkTerm SuperellipseObstacle::clearance(const Segment &link) const

@@ -25,6 +25,9 @@ constexpr double shortRange = 0.5;  ///< in narrow places
 constexpr double nearPart = 0.15;   ///< of the way between start and goal
 constexpr double leastGain = 0.99;  ///< less is no coming nearer
 constexpr int patience = 3;         ///< a turn by this, in samples, is how long they may come no nearer
+// A sample in a slice may slide along gaps for as long as hundreds of others take, and out of the slice: all of joint
+// space does that too. A chain of 20 links spent a third of a maze there.
+constexpr double mostSlides = 3.0;  ///< centred steps that are tried in a slice's turn, by samples and per joint
 constexpr int openSamples = 48;     ///< that are taken for samples in the open, to begin with
 }  // namespace
 
@@ -98,12 +101,14 @@ bool Threader::run(Member &member, const ob::PlannerTerminationCondition &ptc)
     const double share =
         isWinding ? trait.windingShare * std::pow(joints / windingJoints, trait.windingPower) : trait.share;
     const int budget = static_cast<int>(std::min(share * firstBudget * std::pow(growth, round_), mostSamples));
+    const double slidesUntil = static_cast<double>(search_->counts().slides()) + mostSlides * budget / joints;
     for (; used_ < budget && !ptc; ++used_)
     {
         addGoals();
         if (grow(member, ptc))
             return true;
-        if (member.kind == Member::Kind::Slice && isInVain(budget))
+        const bool hasSlidEnough = static_cast<double>(search_->counts().slides()) > slidesUntil;
+        if (member.kind == Member::Kind::Slice && (isInVain(budget) || hasSlidEnough))
             break;
     }
     return false;

@@ -127,8 +127,10 @@ bool ThreadingSearch::explore(double range, ompl::RNG &random, const ob::Planner
     if (drawStep(tree(side)[node].x, range, random))
     {
         way.goal = next_;
+        way.isGoalFree = true;
         if (stepStraight(way) == Progress::Trapped)
         {
+            way.isGoalFree = false;
             way.goal = tree(side)[node].x + 0.5 * direction_;
             stepStraight(way);
         }

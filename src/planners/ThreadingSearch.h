@@ -57,6 +57,8 @@ public:
         std::uint64_t draws = 0;    ///< random steps whose end was looked at
         std::uint64_t bent = 0;     ///< steps along an obstacle
         std::uint64_t looks = 0;    ///< for obstacles in the way of a step, before it was certified
+
+        std::uint64_t slides() const { return centred + refused; }  ///< centred steps that were tried
     };
 
     /// \param si decides which motions are free \param chart of its space
@@ -146,11 +148,12 @@ private:
         int target;  ///< node of the other tree; -1: a sample
         Eigen::VectorXd goal;
         Stride stride;
-        bool isGiven = false;  ///< the way to the goal is the difference, not the short way round
-        bool isPlain = false;  ///< blocked steps are given up, and of its nodes nearest() finds the last one only
-        int unlisted = 0;      ///< nodes of a row that nearest() does not find yet
-        int slides = 0;        ///< centred steps so far
-        bool sliding = false;  ///< the last step was a centred one
+        bool isGiven = false;     ///< the way to the goal is the difference, not the short way round
+        bool isGoalFree = false;  ///< as far as is known, so that it is not looked at
+        bool isPlain = false;     ///< blocked steps are given up, and of its nodes nearest() finds the last one only
+        int unlisted = 0;         ///< nodes of a row that nearest() does not find yet
+        int slides = 0;           ///< centred steps so far
+        bool sliding = false;     ///< the last step was a centred one
     };
 
     void addRoot(int side, const ob::State *state);

@@ -73,7 +73,9 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    const bool mayBeFree = looksOpen() || (!isBlockedAt(next_, way.isPlain) && !meetsObstacle(from, step_));
+    const bool isEndKnown = arrives && way.isGoalFree;
+    const bool mayBeFree =
+        looksOpen() || ((isEndKnown || !isBlockedAt(next_, way.isPlain)) && !meetsObstacle(from, step_));
     if (mayBeFree && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
