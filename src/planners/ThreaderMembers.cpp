@@ -145,7 +145,9 @@ bool Threader::growFull(const ob::PlannerTerminationCondition &ptc)
     const int number = fullSamples_++;
     const bool isLong = number < openSamples || number / 2 % 2 == 0;
     const double range = range_ > 0.0 ? range_ : (isLong ? longRange : shortRange);
-    return search_->grow({0, range}, sample, rng_, ptc);
+    // Long steps end in several obstacles at once, and hardly ever get out of them.
+    // Long steps end in several obstacles at once, and hardly ever get out of them.
+    return search_->grow({0, range, !isLong}, sample, rng_, ptc);
 }
 
 bool Threader::growSlice(Member &member, const ob::PlannerTerminationCondition &ptc)

@@ -36,6 +36,7 @@ public:
     {
         int dimension = 0;  ///< of the slice that is searched; 0: all of joint space
         double range = std::numeric_limits<double>::infinity();  ///< longest edge, > 0
+        bool bends = true;  ///< steps that end in an obstacle are bent along it, if obstacles are known
     };
 
     /// How a blocked step goes on through gaps. The defaults are for use, the rest for ablations.
@@ -178,8 +179,8 @@ private:
     bool hasGaps();  ///< finds them when first asked
     /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
     bool isDeep(const Eigen::VectorXd &x);
-    /// The same, but with only a look at the links (firstMet) where the blocked step would be given up anyway.
-    bool isBlockedAt(const Eigen::VectorXd &x, bool isPlain);
+    /// The same, but with only a look at the links (firstMet) where the step would not be bent anyway.
+    bool isBlockedAt(const Eigen::VectorXd &x, const Way &way);
     /// The first joint from `joint` on whose link an obstacle holds there (Overlap); -1 if none is known to.
     int firstMet(const Eigen::VectorXd &x, int joint);
     /// Whether an obstacle is seen in the way of a step: spares most of the motion checks that would fail.

@@ -74,17 +74,16 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
     const bool isEndKnown = arrives && way.isGoalFree;
-    const bool mayBeFree =
-        looksOpen() || ((isEndKnown || !isBlockedAt(next_, way.isPlain)) && !meetsObstacle(from, step_));
+    const bool mayBeFree = looksOpen() || ((isEndKnown || !isBlockedAt(next_, way)) && !meetsObstacle(from, step_));
     if (mayBeFree && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
     return Progress::Trapped;
 }
 
-bool ThreadingSearch::isBlockedAt(const Eigen::VectorXd &x, bool isPlain)
+bool ThreadingSearch::isBlockedAt(const Eigen::VectorXd &x, const Way &way)
 {
-    return isPlain ? firstMet(x, 0) >= 0 : isDeep(x);
+    return way.stride.bends && !way.isPlain ? isDeep(x) : firstMet(x, 0) >= 0;
 }
 
 bool ThreadingSearch::isDeep(const Eigen::VectorXd &x)
