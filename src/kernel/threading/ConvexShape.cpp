@@ -61,6 +61,11 @@ bool isInside(const Polygon &polygon, const Vector2d &point)
     return narrows::contains(polygon, point);
 }
 
+double cross(const Vector2d &a, const Vector2d &b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
 /// What two edges that face each other have in common along `along`, or where they come nearest to that.
 double commonPlace(const Vector2d &a, const Vector2d &b, const Vector2d &c, const Vector2d &d, const Vector2d &along)
 {
@@ -120,38 +125,39 @@ NearestPoints nearestPoints(const ConvexShape &first, const ConvexShape &second,
     // side of a direction to which the nearest support points are shifted.
     const Vector2d apart =
         0.5 * (second.box().lower + second.box().upper) - 0.5 * (first.box().lower + first.box().upper);
-    const double middle = std::atan2(apart.y(), apart.x());
-    double lower = middle - 0.5 * M_PI, upper = middle + 0.5 * M_PI;
-    const auto supports = [&](double angle, Vector2d &from, Vector2d &to)
-    {
-        const Vector2d direction(std::cos(angle), std::sin(angle));
-        from = first.support(direction);
-        to = second.support(-direction);
-        return direction;
-    };
+    const double length = apart.norm();
+    if (!(length > 0.0))
+        return {Vector2d::Zero(), Vector2d::Zero(), Vector2d::UnitX(), 0.0};
+    Vector2d direction = apart / length, lower(direction.y(), -direction.x()), upper = -lower;
     Vector2d from, to;
+    const auto support = [&](const Vector2d &towards)
+    {
+        from = first.support(towards);
+        to = second.support(-towards);
+    };
     constexpr int bisections = 32;  // to 1e-9
     for (int i = 0; i < bisections; ++i)
     {
-        const double angle = 0.5 * (lower + upper);
-        const Vector2d direction = supports(angle, from, to);
-        if ((to - from).dot(direction) >= enough)
-            return {from, to, direction, (to - from).dot(direction)};
-        const double shift = direction.x() * (to - from).y() - direction.y() * (to - from).x();
-        if (std::abs(shift) <= 1e-12 * apart.norm())
-            lower = upper = angle;
-        else
-            (shift > 0.0 ? lower : upper) = angle;
-        if (lower == upper)
+        support(direction);
+        const Vector2d way = to - from;
+        const double distance = way.dot(direction), shift = cross(direction, way);
+        // No direction tells of more distance than these points have in it.
+        if (distance >= enough || (way.dot(lower) <= 0.0 && way.dot(upper) <= 0.0 && distance <= 0.0))
+            return {from, to, direction, distance};
+        if (std::abs(shift) <= 1e-12 * length)
+        {
+            lower = upper = direction;
             break;
+        }
+        (shift > 0.0 ? lower : upper) = direction;
+        direction = (lower + upper).normalized();
     }
-    Vector2d from2, to2;
-    supports(lower, from, to);
-    supports(upper, from2, to2);
-    const double angle = 0.5 * (lower + upper);
-    const Vector2d direction(std::cos(angle), std::sin(angle)), along(-direction.y(), direction.x());
-    const double place = commonPlace(from, from2, to, to2, along);
-    NearestPoints result{pointOf(from, from2, along, place), pointOf(to, to2, along, place), direction, 0.0};
+    support(lower);
+    const Vector2d from1 = from, to1 = to;
+    support(upper);
+    const Vector2d along(-direction.y(), direction.x());
+    const double place = commonPlace(from1, from, to1, to, along);
+    NearestPoints result{pointOf(from1, from, along, place), pointOf(to1, to, along, place), direction, 0.0};
     result.distance = (result.second - result.first).dot(direction);
     return result;
 }

@@ -56,6 +56,20 @@ Gap LinkGaps::gapOf(const Points &points, std::size_t pair) const
     return {0.5 * (one + other), axis, 0.5 * distance - 2.0 * arm_.radius(), std::max(arm_.radius(), 0.25 * shorter)};
 }
 
+bool LinkGaps::areFar(const Points &points, std::size_t pair) const
+{
+    const auto middle = [&](int link) -> Vector2d
+    {
+        const int parent = arm_.links()[static_cast<std::size_t>(link)].parent;
+        return 0.5 * (points[static_cast<std::size_t>(parent + 1)] + points[static_cast<std::size_t>(link + 1)]);
+    };
+    const auto [first, second] = pairs_[pair];
+    const double lengths =
+        arm_.links()[static_cast<std::size_t>(first)].length + arm_.links()[static_cast<std::size_t>(second)].length;
+    const double near = 0.5 * lengths + 2.0 * (widest_ + 2.0 * arm_.radius());
+    return (middle(first) - middle(second)).squaredNorm() > near * near;
+}
+
 double LinkGaps::halfWidth(const Configuration &q, const GapCrossing &crossing) const
 {
     return isFixed(crossing) ? fixed_->halfWidth(q, crossing)
@@ -80,6 +94,8 @@ void LinkGaps::crossings(const Configuration &q, double lengthening, std::vector
     const Points &points = placed(q);
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
     {
+        if (areFar(points, pair))
+            continue;
         const Gap gap = gapOf(points, pair);
         if (!(gap.halfWidth > 0.0) || gap.halfWidth >= widest_)
             continue;
@@ -106,28 +122,47 @@ Vector2d LinkGaps::valuesOf(const Points &points, const GapCrossing &crossing) c
     return {Vector2d(-along.y(), along.x()).dot(gap.middle - base), along.dot(gap.axis)};
 }
 
-void LinkGaps::evaluateMoving(const Configuration &q, const GapCrossing &crossing, Eigen::Index row,
+void LinkGaps::carry(const Points &points, int point, const Vector2d &slope, Eigen::Ref<Eigen::VectorXd> column) const
+{
+    for (int link = point - 1; link >= 0; link = arm_.links()[static_cast<std::size_t>(link)].parent)
+    {
+        const Vector2d &base =
+            points[static_cast<std::size_t>(arm_.links()[static_cast<std::size_t>(link)].parent + 1)];
+        const Vector2d along = points[static_cast<std::size_t>(link + 1)] - base;
+        column[arm_.firstAngle() + link] += along.x() * slope.y() - along.y() * slope.x();
+    }
+    if (arm_.slide())
+        column[0] += arm_.slide()->axis.dot(slope);
+}
+
+void LinkGaps::evaluateMoving(const Points &points, const GapCrossing &crossing, Eigen::Index row,
                               Eigen::VectorXd &values, Eigen::MatrixXd &transposedJacobian) const
 {
+    const Eigen::Index count = crossing.square ? 2 : 1;
+    values.segment(row, count) = valuesOf(points, crossing).head(count);
+    transposedJacobian.middleCols(row, count).setZero();
     constexpr double h = 1e-6;
-    const Vector2d here = valuesOf(placed(q), crossing);
-    values[row] = here.x();
-    if (crossing.square)
-        values[row + 1] = here.y();
-    static thread_local Eigen::VectorXd moved;
-    moved = q;
-    for (Eigen::Index joint = 0; joint < q.size(); ++joint)
-    {
-        moved[joint] = q[joint] + h;
-        const Vector2d after = valuesOf(placed(moved), crossing);
-        moved[joint] = q[joint] - h;
-        const Vector2d before = valuesOf(placed(moved), crossing);
-        moved[joint] = q[joint];
-        const Vector2d slope = (after - before) / (2.0 * h);
-        transposedJacobian(joint, row) = slope.x();
-        if (crossing.square)
-            transposedJacobian(joint, row + 1) = slope.y();
-    }
+    static thread_local Points moved;
+    moved = points;
+    const auto [first, second] = pairs_[pairOf(crossing)];
+    for (const int link : {crossing.link, first, second})
+        for (const int end : {arm_.links()[static_cast<std::size_t>(link)].parent + 1, link + 1})
+        {
+            Vector2d &point = moved[static_cast<std::size_t>(end)];
+            const Vector2d place = point;
+            Eigen::Matrix2d slopes;  // a row of F each
+            for (int axis = 0; axis < 2; ++axis)
+            {
+                point[axis] = place[axis] + h;
+                const Vector2d after = valuesOf(moved, crossing);
+                point[axis] = place[axis] - h;
+                const Vector2d before = valuesOf(moved, crossing);
+                point[axis] = place[axis];
+                slopes.col(axis) = (after - before) / (2.0 * h);
+            }
+            for (Eigen::Index i = 0; i < count; ++i)
+                carry(points, end, slopes.row(i).transpose(), transposedJacobian.col(row + i));
+        }
 }
 
 void LinkGaps::evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,
@@ -145,6 +180,7 @@ void LinkGaps::evaluate(const Configuration &q, const std::vector<GapCrossing> &
                  [this](const GapCrossing &crossing) { return isFixed(crossing); });
     if (!fixed.empty())
         fixed_->evaluate(q, fixed, fixedValues, fixedJacobian);
+    const Points &points = placed(q);
     Eigen::Index row = 0, fixedRow = 0;
     for (const GapCrossing &crossing : crossings)
     {
@@ -158,7 +194,7 @@ void LinkGaps::evaluate(const Configuration &q, const std::vector<GapCrossing> &
             }
         }
         else
-            evaluateMoving(q, crossing, row, values, transposedJacobian);
+            evaluateMoving(points, crossing, row, values, transposedJacobian);
         row += count;
     }
 }

@@ -12,7 +12,7 @@ namespace narrows
 {
 /// Gaps between two links of a planar arm that do not meet at a joint: where they are nearest to each other, wherever
 /// the arm carries them. Other links of the arm may thread them; the equations are those of MidGap, for a middle and
-/// an axis that move. Derivatives are central differences. Immutable.
+/// an axis that move. Derivatives by the ends of the three links are central differences. Immutable.
 class LinkGaps : public GapEquations
 {
 public:
@@ -33,6 +33,8 @@ private:
     using Points = std::vector<Eigen::Vector2d>;  ///< as PlanarArm::place yields them
 
     const Points &placed(const Configuration &q) const;
+    /// Adds what the ends' shifts do to a row of F: `slope` is its derivative by the place of that point of the arm.
+    void carry(const Points &points, int point, const Eigen::Vector2d &slope, Eigen::Ref<Eigen::VectorXd> column) const;
     bool isFixed(const GapCrossing &crossing) const { return crossing.gap < fixed_->gapCount(); }
     std::size_t pairOf(const GapCrossing &crossing) const
     {
@@ -40,9 +42,11 @@ private:
     }
     /// Links that cross touch: then the middle is where they cross, and the half width not positive.
     Gap gapOf(const Points &points, std::size_t pair) const;
+    /// Whether the two links are surely too far apart for a gap.
+    bool areFar(const Points &points, std::size_t pair) const;
     /// F1 and F2 of a crossing between links.
     Eigen::Vector2d valuesOf(const Points &points, const GapCrossing &crossing) const;
-    void evaluateMoving(const Configuration &q, const GapCrossing &crossing, Eigen::Index row, Eigen::VectorXd &values,
+    void evaluateMoving(const Points &points, const GapCrossing &crossing, Eigen::Index row, Eigen::VectorXd &values,
                         Eigen::MatrixXd &transposedJacobian) const;
 
     PlanarArm arm_;
