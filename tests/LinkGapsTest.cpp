@@ -79,6 +79,33 @@ TEST(LinkGaps, MovesWithTheArm)
     EXPECT_GT(jacobian.row(0).norm(), 0.1);  // turning the gripper alone moves the gap
 }
 
+TEST(LinkGaps, DifferentiatesByEveryJoint)
+{
+    const PlanarArm still = gripperAndChain();
+    const PlanarArm arm({0, 0}, still.links(), radius, Slide{{0.6, 0.8}, -1.0, 1.0});
+    const auto fixed = std::make_shared<MidGap>(arm, std::vector<Gap>{{{0.5, 0.0}, {0.0, 1.0}, 0.05, 0.2}});
+    const LinkGaps gaps(arm, fixed, 0.1);
+    VectorXd q(9);
+    q << 0.0, threaded(0.1);
+    std::vector<GapCrossing> crossings;
+    gaps.crossings(q, 0.0, crossings);
+    ASSERT_EQ(crossings.size(), 2u);
+    // Not in the middle any more, and not square.
+    q += VectorXd{{0.05, 0.01, -0.02, 0.03, 0.02, -0.01, 0.04, -0.03, 0.05}};
+    VectorXd values, after, before;
+    Eigen::MatrixXd jacobian, unused;
+    gaps.evaluate(q, crossings, values, jacobian);
+    ASSERT_EQ(jacobian.cols(), 4);
+    constexpr double h = 1e-6;
+    for (Eigen::Index joint = 0; joint < q.size(); ++joint)
+    {
+        const VectorXd step = h * VectorXd::Unit(q.size(), joint);
+        gaps.evaluate(q + step, crossings, after, unused);
+        gaps.evaluate(q - step, crossings, before, unused);
+        EXPECT_LT((jacobian.row(joint).transpose() - (after - before) / (2.0 * h)).norm(), 1e-7) << "joint " << joint;
+    }
+}
+
 TEST(LinkGaps, CountsFixedGapsFirst)
 {
     const PlanarArm arm = gripperAndChain();
