@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "PaperSquare.h"
-#include "kernel/scaling/Cross.h"
+#include "kernel/Cross.h"
 
 namespace narrows
 {

@@ -8,7 +8,7 @@
 
 #include "PaperSquare.h"
 #include "Sections.h"
-#include "kernel/scaling/Cross.h"
+#include "kernel/Cross.h"
 #include "kernel/scaling/PlainScaling.h"
 
 namespace narrows

@@ -8,7 +8,7 @@
 
 #include "kernel/SegmentDistance.h"
 #include "kernel/scaling/ConvexSection.h"
-#include "kernel/scaling/Cross.h"
+#include "kernel/Cross.h"
 
 namespace narrows
 {

@@ -3,17 +3,14 @@
 
 #include <limits>
 
+#include "kernel/Cross.h"
+
 namespace narrows
 {
 using Eigen::Vector2d;
 
 namespace
 {
-double cross(const Vector2d &a, const Vector2d &b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Are the ends of the second segment on different sides of the line through the first?
 bool divides(const Segment &first, const Segment &second)
 {

@@ -146,8 +146,7 @@ bool Threader::growFull(const ob::PlannerTerminationCondition &ptc)
     const bool isLong = number < openSamples || number / 2 % 2 == 0;
     const double range = range_ > 0.0 ? range_ : (isLong ? longRange : shortRange);
     // Long steps end in several obstacles at once, and hardly ever get out of them.
-    // Long steps end in several obstacles at once, and hardly ever get out of them.
-    return search_->grow({0, range, !isLong}, sample, rng_, ptc);
+    return search_->grow({0, range, range < longRange}, sample, rng_, ptc);
 }
 
 bool Threader::growSlice(Member &member, const ob::PlannerTerminationCondition &ptc)

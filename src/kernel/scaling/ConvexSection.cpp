@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kernel/Cross.h"
 #include "kernel/SegmentDistance.h"
-#include "kernel/scaling/Cross.h"
 
 namespace narrows
 {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/Cross.h"
 #include "kernel/SegmentDistance.h"
-#include "kernel/scaling/Cross.h"
 
 namespace narrows
 {

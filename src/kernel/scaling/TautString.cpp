@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/scaling/Cross.h"
+#include "kernel/Cross.h"
 
 namespace narrows
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/scaling/Cross.h"
+#include "kernel/Cross.h"
 
 namespace narrows
 {

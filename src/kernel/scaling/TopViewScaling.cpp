@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/Cross.h"
 #include "kernel/SegmentDistance.h"
-#include "kernel/scaling/Cross.h"
 
 namespace narrows
 {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/ConvexParts.h"
+#include "kernel/Cross.h"
 #include "kernel/SegmentDistance.h"
 
 namespace narrows
@@ -59,11 +60,6 @@ bool isInside(const Superellipse &shape, const Vector2d &point)
 bool isInside(const Polygon &polygon, const Vector2d &point)
 {
     return narrows::contains(polygon, point);
-}
-
-double cross(const Vector2d &a, const Vector2d &b)
-{
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 /// What two edges that face each other have in common along `along`, or where they come nearest to that.
@@ -141,7 +137,7 @@ NearestPoints nearestPoints(const ConvexShape &first, const ConvexShape &second,
         support(direction);
         const Vector2d way = to - from;
         const double distance = way.dot(direction), shift = cross(direction, way);
-        // No direction tells of more distance than these points have in it.
+        // In no direction are the shapes farther apart than these two points.
         if (distance >= enough || (way.dot(lower) <= 0.0 && way.dot(upper) <= 0.0 && distance <= 0.0))
             return {from, to, direction, distance};
         if (std::abs(shift) <= 1e-12 * length)

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/Cross.h"
+
 namespace narrows
 {
 namespace
 {
 using Eigen::Vector2d;
-
-double cross(const Vector2d &a, const Vector2d &b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 const std::vector<Vector2d> &placed(const PlanarArm &arm, const GapEquations::Configuration &q)
 {
