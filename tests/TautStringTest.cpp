@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/Cross.h"
 #include "kernel/SegmentDistance.h"
 #include "kernel/scaling/ConvexSection.h"
-#include "kernel/Cross.h"
 
 namespace narrows
 {
