@@ -14,18 +14,18 @@ namespace
 using Eigen::Vector2d;
 
 /// An axis-parallel box, kept flat: most questions end here.
-struct Box
+struct FlatBox
 {
     double left, bottom, right, top;
 
-    bool meets(const Box &other) const
+    bool meets(const FlatBox &other) const
     {
         return left <= other.right && other.left <= right && bottom <= other.top && other.bottom <= top;
     }
 };
 
 /// Around a segment and all within `room` of it.
-Box boxAround(const Vector2d &a, const Vector2d &b, double room)
+FlatBox boxAround(const Vector2d &a, const Vector2d &b, double room)
 {
     return {std::min(a.x(), b.x()) - room, std::min(a.y(), b.y()) - room, std::max(a.x(), b.x()) + room,
             std::max(a.y(), b.y()) + room};
@@ -34,7 +34,7 @@ Box boxAround(const Vector2d &a, const Vector2d &b, double room)
 template <class Shape>
 struct Boxed
 {
-    Box box;
+    FlatBox box;
     Shape shape;
 };
 
@@ -82,7 +82,7 @@ public:
         boxes_.resize(static_cast<int>(obstacles.size()));
         int k = 0;
         forEach(allObstacles,
-                [&](const Box &box, const auto &) {
+                [&](const FlatBox &box, const auto &) {
                     return boxes_.set(k++, {box.left, box.bottom}, {box.right, box.top}, 0.0), true;
                 });
     }
@@ -94,9 +94,9 @@ public:
 
     bool clears(const Link<2> &link, ObstacleBits near) const override
     {
-        const Box box = boxAround(link.a, link.b, link.radius);
-        return forEach(
-            near, [&](const Box &outer, const auto &shape) { return !box.meets(outer) || !touches(link, box, shape); });
+        const FlatBox box = boxAround(link.a, link.b, link.radius);
+        return forEach(near, [&](const FlatBox &outer, const auto &shape)
+                       { return !box.meets(outer) || !touches(link, box, shape); });
     }
 
     double clearance(const Link<2> &link) const override
@@ -114,9 +114,9 @@ public:
     Finding examine(const LinkMotion<2> &link, ObstacleBits near) const override
     {
         const double reach = link.reach();
-        const Box box = boxAround(link.a.position, link.b.position, link.radius + reach);
+        const FlatBox box = boxAround(link.a.position, link.b.position, link.radius + reach);
         Findings findings;
-        forEach(near, [&](const Box &outer, const auto &shape)
+        forEach(near, [&](const FlatBox &outer, const auto &shape)
                 { return !box.meets(outer) || findings.add(examine(link, reach, box, shape)); });
         return findings.worst();
     }
@@ -137,7 +137,7 @@ public:
     }
 
 private:
-    static Box flat(const Bounds &bounds)
+    static FlatBox flat(const Bounds &bounds)
     {
         return {bounds.lower.x(), bounds.lower.y(), bounds.upper.x(), bounds.upper.y()};
     }
@@ -173,19 +173,19 @@ private:
         return ofOneKind(circles_) && ofOneKind(superellipses_) && ofOneKind(polygons_);
     }
 
-    static bool touches(const Link<2> &link, const Box & /*box*/, const Circle &circle)
+    static bool touches(const Link<2> &link, const FlatBox & /*box*/, const Circle &circle)
     {
         const double contact = circle.radius + link.radius;
         return squaredDistance(link.a, link.b, circle.center) <= contact * contact;
     }
 
-    static bool touches(const Link<2> &link, const Box & /*box*/, const Rounded &shape)
+    static bool touches(const Link<2> &link, const FlatBox & /*box*/, const Rounded &shape)
     {
         return !shape.tangents.separate(link.a, link.b, link.radius) &&
                !shape.geometry.farther(link.a, link.b, link.radius);
     }
 
-    static bool touches(const Link<2> &link, const Box &box, const Edges &shape)
+    static bool touches(const Link<2> &link, const FlatBox &box, const Edges &shape)
     {
         if (contains(shape.polygon, link.a))
             return true;
@@ -195,12 +195,12 @@ private:
             { return box.meets(edge.box) && distance(link.a, link.b, edge.shape.from, edge.shape.to) <= link.radius; });
     }
 
-    static Finding examine(const LinkMotion<2> &link, double reach, const Box & /*box*/, const Circle &circle)
+    static Finding examine(const LinkMotion<2> &link, double reach, const FlatBox & /*box*/, const Circle &circle)
     {
         return narrows::examine(link, reach, circle);
     }
 
-    static Finding examine(const LinkMotion<2> &link, double reach, const Box & /*box*/, const Rounded &shape)
+    static Finding examine(const LinkMotion<2> &link, double reach, const FlatBox & /*box*/, const Rounded &shape)
     {
         if (shape.tangents.separate(link.a.position, link.b.position, link.radius + reach))
             return Finding::Clear;
@@ -208,7 +208,7 @@ private:
     }
 
     /// Outside now, and across no edge until the end of the stretch: outside until then.
-    static Finding examine(const LinkMotion<2> &link, double reach, const Box &box, const Edges &shape)
+    static Finding examine(const LinkMotion<2> &link, double reach, const FlatBox &box, const Edges &shape)
     {
         if (contains(shape.polygon, link.a.position))
             return Finding::Touching;
