@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernel/BoxArrays.h"
 #include "kernel/LinkMotion.h"
+#include "kernel/BoxArrays.h"
 
 namespace narrows
 {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "kernel/BoxArrays.h"
 #include "kernel/LinkMotion.h"
 #include "kernel/PlanarArm.h"
 #include "kernel/SpatialArm.h"
+#include "kernel/BoxArrays.h"
 
 namespace narrows
 {
