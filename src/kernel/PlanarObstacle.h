@@ -43,10 +43,10 @@ struct Bounds
     Eigen::Vector2d lower;  ///< least coordinates
     Eigen::Vector2d upper;  ///< greatest coordinates
 
-    /// The box around two points.
-    static Bounds around(const Eigen::Vector2d &one, const Eigen::Vector2d &other)
+    /// The box around two points and all within `room` of them.
+    static Bounds around(const Eigen::Vector2d &one, const Eigen::Vector2d &other, double room = 0.0)
     {
-        return {one.cwiseMin(other), one.cwiseMax(other)};
+        return {one.cwiseMin(other).array() - room, one.cwiseMax(other).array() + room};
     }
 
     /// Whether the boxes have a point in common. Without branches: the answer is hard to foresee.

@@ -42,8 +42,33 @@ SuperellipseObstacle::Level SuperellipseObstacle::level(const Vector2d &from, co
     const Vector2d place = from + t * along;
     Vector2d lower;
     const Vector2d raised = raise(place, lower);
-    return {t, raised.dot(place), exponent_ * raised.dot(along),
-            exponent_ * (exponent_ - 1.0) * lower.dot(along.cwiseProduct(along))};
+    return {t, raised.dot(place), raised.dot(along), (exponent_ - 1.0) * lower.dot(along.cwiseProduct(along))};
+}
+
+/// Where |x|^p + |y|^p is least on the segment: its slope is monotone. Newton, kept in its bracket by halving, until
+/// isEnough(lower end of the bracket, where it has looked last, upper end).
+template <class IsEnough>
+double SuperellipseObstacle::deepest(const Vector2d &from, const Vector2d &along, const IsEnough &isEnough) const
+{
+    Level low = level(from, along, 0.0), high = level(from, along, 1.0);
+    if (low.slope >= 0.0)
+        return 0.0;
+    if (high.slope <= 0.0)
+        return 1.0;
+    double t = std::min(std::max(-from.dot(along) / along.squaredNorm(), 0.0), 1.0);
+    bool close = false;
+    for (int iteration = 0; iteration < 60 && !close; ++iteration)
+    {
+        const Level middle = level(from, along, t);
+        (middle.slope < 0.0 ? low : high) = middle;
+        if (isEnough(low, middle, high))
+            return t;
+        const double proposed = t - middle.slope / middle.bend;
+        const double next = proposed >= low.t && proposed <= high.t ? proposed : 0.5 * (low.t + high.t);
+        close = !(std::abs(next - t) > 1e-8);
+        t = next;
+    }
+    return t;
 }
 
 /// The tangents at both ends of a bracket of the least level bound it from below: a step or two tell mostly.
@@ -53,26 +78,13 @@ bool SuperellipseObstacle::isMet(const Segment &link) const
         return clearance(link).value < 0.0;
     const Vector2d from = (link.base - center_).cwiseProduct(inverseExtents_);
     const Vector2d along = link.along.cwiseProduct(inverseExtents_);
-    Level low = level(from, along, 0.0), high = level(from, along, 1.0);
-    if (low.value < 1.0 || high.value < 1.0)
-        return true;
-    if (low.slope >= 0.0 || high.slope <= 0.0)
-        return false;
-    double t = std::min(std::max(-from.dot(along) / along.squaredNorm(), 0.0), 1.0);
-    for (int iteration = 0; iteration < 60; ++iteration)
+    const auto isTold = [this](const Level &low, const Level &middle, const Level &high)
     {
-        const double width = high.t - low.t;
-        const double crossing = (high.value - low.value - high.slope * width) / (low.slope - high.slope);
-        if (low.value + crossing * low.slope >= 1.0 || !(width > 1e-15))
-            return false;
-        const Level middle = level(from, along, t);
-        if (middle.value < 1.0)
-            return true;
-        (middle.slope < 0.0 ? low : high) = middle;
-        const double proposed = t - middle.slope / middle.bend;
-        t = proposed > low.t && proposed < high.t ? proposed : 0.5 * (low.t + high.t);
-    }
-    return false;
+        const double width = high.t - low.t, slope = exponent_ * low.slope, otherSlope = exponent_ * high.slope;
+        const double crossing = (high.value - low.value - otherSlope * width) / (slope - otherSlope);
+        return middle.value < 1.0 || low.value + crossing * slope >= 1.0;
+    };
+    return level(from, along, deepest(from, along, isTold)).value < 1.0;
 }
 
 /// The distance from a convex shape is convex along the link: an end is nearest if the way to it does not lead back
@@ -115,7 +127,7 @@ LinkTerm SuperellipseObstacle::gauge(const Segment &link, double &fraction) cons
 {
     const Vector2d from = (link.base - center_).cwiseProduct(inverseExtents_);
     const Vector2d along = link.along.cwiseProduct(inverseExtents_);
-    fraction = deepest(from, along);
+    fraction = deepest(from, along, [](const Level &, const Level &, const Level &) { return false; });
     Vector2d lower;
     const Vector2d scaled = from + fraction * along;
     const Vector2d raised = raise(scaled, lower);
@@ -125,30 +137,6 @@ LinkTerm SuperellipseObstacle::gauge(const Segment &link, double &fraction) cons
     const double gauge = root(power);
     const double slope = leastExtent_ * gauge / power;
     return {leastExtent_ * (gauge - 1.0), LinkForce::at(fraction, slope * raised.cwiseProduct(inverseExtents_))};
-}
-
-/// Where |x|^p + |y|^p is least on the segment: its slope is monotone. Newton, kept in its bracket by halving.
-double SuperellipseObstacle::deepest(const Vector2d &from, const Vector2d &along) const
-{
-    Vector2d lower;
-    if (raise(from, lower).dot(along) >= 0.0)
-        return 0.0;
-    if (raise(from + along, lower).dot(along) <= 0.0)
-        return 1.0;
-    double low = 0.0, high = 1.0;
-    double t = std::min(std::max(-from.dot(along) / along.squaredNorm(), 0.0), 1.0);
-    bool close = false;
-    for (int iteration = 0; iteration < 60 && !close; ++iteration)
-    {
-        const double slope = raise(from + t * along, lower).dot(along);
-        (slope < 0.0 ? low : high) = t;
-        const double bend = (exponent_ - 1.0) * lower.dot(along.cwiseProduct(along));
-        const double proposed = t - slope / bend;
-        const double next = proposed >= low && proposed <= high ? proposed : 0.5 * (low + high);
-        close = !(std::abs(next - t) > 1e-8);
-        t = next;
-    }
-    return t;
 }
 
 /// Relative to the center: the shape's point that lies furthest in a direction.

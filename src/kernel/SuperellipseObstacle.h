@@ -21,13 +21,14 @@ public:
 private:
     LinkTerm outside(const Eigen::Vector2d &point, double fraction) const;
     LinkTerm gauge(const Segment &link, double &fraction) const;
-    double deepest(const Eigen::Vector2d &from, const Eigen::Vector2d &along) const;
-    /// |x|^p + |y|^p somewhere on a segment, which is convex along it, and its derivatives by t.
+    /// |x|^p + |y|^p somewhere on a segment, which is convex along it, and its derivatives by t over p.
     struct Level
     {
         double t, value, slope, bend;
     };
     Level level(const Eigen::Vector2d &from, const Eigen::Vector2d &along, double t) const;
+    template <class IsEnough>
+    double deepest(const Eigen::Vector2d &from, const Eigen::Vector2d &along, const IsEnough &isEnough) const;
     /// |x|^(p - 1) with the sign of x, for both entries, and, in `lower`, |x|^(p - 2).
     Eigen::Vector2d raise(const Eigen::Vector2d &base, Eigen::Vector2d &lower) const
     {

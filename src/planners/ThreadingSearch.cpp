@@ -122,15 +122,15 @@ bool ThreadingSearch::explore(double range, ompl::RNG &random, const ob::Planner
     const int side = turn_;
     turn_ = 1 - side;
     const int node = cellsOf(side).choose(random);
-    Way way{side, node, -1, tree(side)[node].x, {}};
+    Stride stride;
+    stride.bends = false;
+    Way way{side, node, -1, tree(side)[node].x, stride};
     way.isGiven = way.isPlain = true;
     if (drawStep(tree(side)[node].x, range, random))
     {
         way.goal = next_;
-        way.isGoalFree = true;
-        if (stepStraight(way) == Progress::Trapped)
+        if (stepStraight(way, true) == Progress::Trapped)
         {
-            way.isGoalFree = false;
             way.goal = tree(side)[node].x + 0.5 * direction_;
             stepStraight(way);
         }
@@ -142,7 +142,7 @@ bool ThreadingSearch::explore(double range, ompl::RNG &random, const ob::Planner
     }
     write(side, way.node, to_.get());
     const int near = cellsOf(turn_).at(to_.get(), random);
-    return near >= 0 && answer(way, near, {}, random, ptc);
+    return near >= 0 && answer(way, near, stride, random, ptc);
 }
 
 bool ThreadingSearch::drawStep(const Eigen::VectorXd &from, double range, ompl::RNG &random)

@@ -149,12 +149,11 @@ private:
         int target;  ///< node of the other tree; -1: a sample
         Eigen::VectorXd goal;
         Stride stride;
-        bool isGiven = false;     ///< the way to the goal is the difference, not the short way round
-        bool isGoalFree = false;  ///< as far as is known, so that it is not looked at
-        bool isPlain = false;     ///< blocked steps are given up, and of its nodes nearest() finds the last one only
-        int unlisted = 0;         ///< nodes of a row that nearest() does not find yet
-        int slides = 0;           ///< centred steps so far
-        bool sliding = false;     ///< the last step was a centred one
+        bool isGiven = false;  ///< the way to the goal is the difference, not the short way round
+        bool isPlain = false;  ///< blocked steps are given up, and of its nodes nearest() finds the last one only
+        int unlisted = 0;      ///< nodes of a row that nearest() does not find yet
+        int slides = 0;        ///< centred steps so far
+        bool sliding = false;  ///< the last step was a centred one
     };
 
     void addRoot(int side, const ob::State *state);
@@ -174,13 +173,14 @@ private:
     /// Whether nothing has shown yet that the place is other than open.
     bool looksOpen() const { return counts_.blocked <= openSteps; }
     Progress advance(Way &way, ompl::RNG &random);
-    Progress stepStraight(Way &way);
+    /// \param isGoalFree as far as is known, so that it is not looked at
+    Progress stepStraight(Way &way, bool isGoalFree = false);
     Progress slide(Way &way, ompl::RNG &random);
     bool hasGaps();  ///< finds them when first asked
     /// Whether an obstacle holds the end of a step; depth_ and gradient_ say how to get it out.
     bool isDeep(const Eigen::VectorXd &x);
     /// The same, but with only a look at the links (firstMet) where the step would not be bent anyway.
-    bool isBlockedAt(const Eigen::VectorXd &x, const Way &way);
+    bool isBlockedAt(const Eigen::VectorXd &x, const Stride &stride);
     /// The first joint from `joint` on whose link an obstacle holds there (Overlap); -1 if none is known to.
     int firstMet(const Eigen::VectorXd &x, int joint);
     /// Whether an obstacle is seen in the way of a step: spares most of the motion checks that would fail.

@@ -54,7 +54,7 @@ void ThreadingSearch::measureWay(const Way &way)
         direction_ = way.goal - from;
 }
 
-ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
+ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way, bool isGoalFree)
 {
     way.sliding = false;
     depth_ = 0.0;
@@ -73,17 +73,17 @@ ThreadingSearch::Progress ThreadingSearch::stepStraight(Way &way)
     step_ = (arrives ? 1.0 : part) * direction_;
     next_ = from + step_;
     // Asking about its end first spares most of the motions that are not free.
-    const bool isEndKnown = arrives && way.isGoalFree;
-    const bool mayBeFree = looksOpen() || ((isEndKnown || !isBlockedAt(next_, way)) && !meetsObstacle(from, step_));
+    const bool isEndFree = looksOpen() || (arrives && isGoalFree) || !isBlockedAt(next_, way.stride);
+    const bool mayBeFree = isEndFree && (looksOpen() || !meetsObstacle(from, step_));
     if (mayBeFree && extend(way, next_, levelOf(way.stride), !way.isPlain))
         return arrives ? Progress::Reached : Progress::Advanced;
     ++counts_.blocked;
     return Progress::Trapped;
 }
 
-bool ThreadingSearch::isBlockedAt(const Eigen::VectorXd &x, const Way &way)
+bool ThreadingSearch::isBlockedAt(const Eigen::VectorXd &x, const Stride &stride)
 {
-    return way.stride.bends && !way.isPlain ? isDeep(x) : firstMet(x, 0) >= 0;
+    return stride.bends ? isDeep(x) : firstMet(x, 0) >= 0;
 }
 
 bool ThreadingSearch::isDeep(const Eigen::VectorXd &x)

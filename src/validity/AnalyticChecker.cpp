@@ -13,28 +13,10 @@ namespace
 {
 using Eigen::Vector2d;
 
-/// An axis-parallel box, kept flat: most questions end here.
-struct FlatBox
-{
-    double left, bottom, right, top;
-
-    bool meets(const FlatBox &other) const
-    {
-        return left <= other.right && other.left <= right && bottom <= other.top && other.bottom <= top;
-    }
-};
-
-/// Around a segment and all within `room` of it.
-FlatBox boxAround(const Vector2d &a, const Vector2d &b, double room)
-{
-    return {std::min(a.x(), b.x()) - room, std::min(a.y(), b.y()) - room, std::max(a.x(), b.x()) + room,
-            std::max(a.y(), b.y()) + room};
-}
-
 template <class Shape>
 struct Boxed
 {
-    FlatBox box;
+    Bounds box;
     Shape shape;
 };
 
@@ -82,9 +64,7 @@ public:
         boxes_.resize(static_cast<int>(obstacles.size()));
         int k = 0;
         forEach(allObstacles,
-                [&](const FlatBox &box, const auto &) {
-                    return boxes_.set(k++, {box.left, box.bottom}, {box.right, box.top}, 0.0), true;
-                });
+                [&](const Bounds &box, const auto &) { return boxes_.set(k++, box.lower, box.upper, 0.0), true; });
     }
 
     void findNear(const BoxArrays<2> &boxes, std::vector<ObstacleBits> &near) const override
@@ -94,8 +74,8 @@ public:
 
     bool clears(const Link<2> &link, ObstacleBits near) const override
     {
-        const FlatBox box = boxAround(link.a, link.b, link.radius);
-        return forEach(near, [&](const FlatBox &outer, const auto &shape)
+        const Bounds box = Bounds::around(link.a, link.b, link.radius);
+        return forEach(near, [&](const Bounds &outer, const auto &shape)
                        { return !box.meets(outer) || !touches(link, box, shape); });
     }
 
@@ -114,9 +94,9 @@ public:
     Finding examine(const LinkMotion<2> &link, ObstacleBits near) const override
     {
         const double reach = link.reach();
-        const FlatBox box = boxAround(link.a.position, link.b.position, link.radius + reach);
+        const Bounds box = Bounds::around(link.a.position, link.b.position, link.radius + reach);
         Findings findings;
-        forEach(near, [&](const FlatBox &outer, const auto &shape)
+        forEach(near, [&](const Bounds &outer, const auto &shape)
                 { return !box.meets(outer) || findings.add(examine(link, reach, box, shape)); });
         return findings.worst();
     }
@@ -137,16 +117,11 @@ public:
     }
 
 private:
-    static FlatBox flat(const Bounds &bounds)
-    {
-        return {bounds.lower.x(), bounds.lower.y(), bounds.upper.x(), bounds.upper.y()};
-    }
-
-    void add(const Circle &circle, const Bounds &box) { circles_.push_back({flat(box), circle}); }
+    void add(const Circle &circle, const Bounds &box) { circles_.push_back({box, circle}); }
 
     void add(const Superellipse &shape, const Bounds &box)
     {
-        superellipses_.push_back({flat(box), {SuperellipseGeometry(shape), Tangents(shape)}});
+        superellipses_.push_back({box, {SuperellipseGeometry(shape), Tangents(shape)}});
     }
 
     void add(const Polygon &polygon, const Bounds &box)
@@ -154,8 +129,8 @@ private:
         Edges edges{polygon, {}};
         const std::vector<Vector2d> &v = polygon.vertices;
         for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++)
-            edges.edges.push_back({boxAround(v[j], v[i], 0.0), {v[j], v[i]}});
-        polygons_.push_back({flat(box), std::move(edges)});
+            edges.edges.push_back({Bounds::around(v[j], v[i]), {v[j], v[i]}});
+        polygons_.push_back({box, std::move(edges)});
     }
 
     /// Calls visit(box, shape) for each obstacle of a set until that returns false, and returns whether none did.
@@ -173,19 +148,19 @@ private:
         return ofOneKind(circles_) && ofOneKind(superellipses_) && ofOneKind(polygons_);
     }
 
-    static bool touches(const Link<2> &link, const FlatBox & /*box*/, const Circle &circle)
+    static bool touches(const Link<2> &link, const Bounds & /*box*/, const Circle &circle)
     {
         const double contact = circle.radius + link.radius;
         return squaredDistance(link.a, link.b, circle.center) <= contact * contact;
     }
 
-    static bool touches(const Link<2> &link, const FlatBox & /*box*/, const Rounded &shape)
+    static bool touches(const Link<2> &link, const Bounds & /*box*/, const Rounded &shape)
     {
         return !shape.tangents.separate(link.a, link.b, link.radius) &&
                !shape.geometry.farther(link.a, link.b, link.radius);
     }
 
-    static bool touches(const Link<2> &link, const FlatBox &box, const Edges &shape)
+    static bool touches(const Link<2> &link, const Bounds &box, const Edges &shape)
     {
         if (contains(shape.polygon, link.a))
             return true;
@@ -195,12 +170,12 @@ private:
             { return box.meets(edge.box) && distance(link.a, link.b, edge.shape.from, edge.shape.to) <= link.radius; });
     }
 
-    static Finding examine(const LinkMotion<2> &link, double reach, const FlatBox & /*box*/, const Circle &circle)
+    static Finding examine(const LinkMotion<2> &link, double reach, const Bounds & /*box*/, const Circle &circle)
     {
         return narrows::examine(link, reach, circle);
     }
 
-    static Finding examine(const LinkMotion<2> &link, double reach, const FlatBox & /*box*/, const Rounded &shape)
+    static Finding examine(const LinkMotion<2> &link, double reach, const Bounds & /*box*/, const Rounded &shape)
     {
         if (shape.tangents.separate(link.a.position, link.b.position, link.radius + reach))
             return Finding::Clear;
@@ -208,7 +183,7 @@ private:
     }
 
     /// Outside now, and across no edge until the end of the stretch: outside until then.
-    static Finding examine(const LinkMotion<2> &link, double reach, const FlatBox &box, const Edges &shape)
+    static Finding examine(const LinkMotion<2> &link, double reach, const Bounds &box, const Edges &shape)
     {
         if (contains(shape.polygon, link.a.position))
             return Finding::Touching;

@@ -2,10 +2,12 @@
 #include "kernel/threading/LinkGaps.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 
+#include "kernel/LinkTerm.h"
 #include "kernel/SpatialDistance.h"
 
 namespace narrows
@@ -122,33 +124,24 @@ Vector2d LinkGaps::valuesOf(const Points &points, const GapCrossing &crossing) c
     return {Vector2d(-along.y(), along.x()).dot(gap.middle - base), along.dot(gap.axis)};
 }
 
-void LinkGaps::carry(const Points &points, int point, const Vector2d &slope, Eigen::Ref<Eigen::VectorXd> column) const
-{
-    for (int link = point - 1; link >= 0; link = arm_.links()[static_cast<std::size_t>(link)].parent)
-    {
-        const Vector2d &base =
-            points[static_cast<std::size_t>(arm_.links()[static_cast<std::size_t>(link)].parent + 1)];
-        const Vector2d along = points[static_cast<std::size_t>(link + 1)] - base;
-        column[arm_.firstAngle() + link] += along.x() * slope.y() - along.y() * slope.x();
-    }
-    if (arm_.slide())
-        column[0] += arm_.slide()->axis.dot(slope);
-}
-
 void LinkGaps::evaluateMoving(const Points &points, const GapCrossing &crossing, Eigen::Index row,
                               Eigen::VectorXd &values, Eigen::MatrixXd &transposedJacobian) const
 {
     const Eigen::Index count = crossing.square ? 2 : 1;
     values.segment(row, count) = valuesOf(points, crossing).head(count);
-    transposedJacobian.middleCols(row, count).setZero();
     constexpr double h = 1e-6;
-    static thread_local Points moved;
+    static thread_local Points moved, carried;
+    static thread_local std::array<std::vector<LinkForce>, 2> forces;  // of F1 and F2
+    static thread_local Eigen::VectorXd gradient;
     moved = points;
+    for (std::vector<LinkForce> &ofRow : forces)
+        ofRow.assign(arm_.links().size(), {});
     const auto [first, second] = pairs_[pairOf(crossing)];
     for (const int link : {crossing.link, first, second})
-        for (const int end : {arm_.links()[static_cast<std::size_t>(link)].parent + 1, link + 1})
+        for (const bool isTip : {false, true})
         {
-            Vector2d &point = moved[static_cast<std::size_t>(end)];
+            const int parent = arm_.links()[static_cast<std::size_t>(link)].parent;
+            Vector2d &point = moved[static_cast<std::size_t>((isTip ? link : parent) + 1)];
             const Vector2d place = point;
             Eigen::Matrix2d slopes;  // a row of F each
             for (int axis = 0; axis < 2; ++axis)
@@ -160,9 +153,14 @@ void LinkGaps::evaluateMoving(const Points &points, const GapCrossing &crossing,
                 point[axis] = place[axis];
                 slopes.col(axis) = (after - before) / (2.0 * h);
             }
-            for (Eigen::Index i = 0; i < count; ++i)
-                carry(points, end, slopes.row(i).transpose(), transposedJacobian.col(row + i));
+            for (std::size_t i = 0; i < forces.size(); ++i)
+                forces[i][static_cast<std::size_t>(link)].push(isTip ? 1.0 : 0.0, slopes.row(i).transpose());
         }
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+        gatherGradient(arm_, points, forces[static_cast<std::size_t>(i)], carried, gradient);
+        transposedJacobian.col(row + i) = gradient;
+    }
 }
 
 void LinkGaps::evaluate(const Configuration &q, const std::vector<GapCrossing> &crossings, Eigen::VectorXd &values,

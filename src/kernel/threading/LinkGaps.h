@@ -33,9 +33,6 @@ private:
     using Points = std::vector<Eigen::Vector2d>;  ///< as PlanarArm::place yields them
 
     const Points &placed(const Configuration &q) const;
-    /// Adds to a row's derivative by the configuration what it owes to one of the arm's points. \param slope derivative
-    /// of the row by the place of that point
-    void carry(const Points &points, int point, const Eigen::Vector2d &slope, Eigen::Ref<Eigen::VectorXd> column) const;
     bool isFixed(const GapCrossing &crossing) const { return crossing.gap < fixed_->gapCount(); }
     std::size_t pairOf(const GapCrossing &crossing) const
     {
